@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/command.h"
+
+namespace yorb {
+
+void AddBenchCommand(CLI::App&, Action&) {}
+
+}  // namespace yorb

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 The yorb-slam authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# yorb_options(TARGET): the warnings, sanitizers and code generation that every target of ours shares.
+function(yorb_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                           -Wno-missing-field-initializers -ffp-contract=off
+                                           -Wno-restrict)  # a false alarm of gcc 12 on string + string
+  if(YORB_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE})
+  endif()
+endfunction()
+
+# yorb_room(NAME DEPS targets...): one library from the folder's *.cc, one test program from its *_test.cc and one
+# benchmark program from its *_bench.cc. A room is its folder, so there are no file lists to keep. TEST_DEPS and
+# BENCH_DEPS name what only the tests and benchmarks may use.
+function(yorb_room name)
+  cmake_parse_arguments(ROOM "" "" "DEPS;TEST_DEPS;BENCH_DEPS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cc)
+  set(tests ${sources})
+  set(benches ${sources})
+  list(FILTER tests INCLUDE REGEX "_test\\.cc$")
+  list(FILTER benches INCLUDE REGEX "_bench\\.cc$")
+  list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cc$")
+
+  if(sources)
+    add_library(yorb_${name} STATIC ${sources})
+    target_link_libraries(yorb_${name} PUBLIC ${ROOM_DEPS})
+    target_include_directories(yorb_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                                   $<INSTALL_INTERFACE:include/yorb>)
+    yorb_options(yorb_${name})
+  else()
+    add_library(yorb_${name} INTERFACE)
+    target_link_libraries(yorb_${name} INTERFACE ${ROOM_DEPS})
+    target_include_directories(yorb_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                                      $<INSTALL_INTERFACE:include/yorb>)
+  endif()
+  set_target_properties(yorb_${name} PROPERTIES EXPORT_NAME ${name})
+
+  if(tests AND YORB_TESTS)
+    find_package(GTest REQUIRED)
+    include(GoogleTest)
+    add_executable(${name}_test ${tests})
+    target_link_libraries(${name}_test PRIVATE yorb_${name} ${ROOM_TEST_DEPS} GTest::gmock GTest::gtest_main)
+    yorb_options(${name}_test)
+    gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  endif()
+  if(benches AND YORB_BENCHES)
+    find_package(benchmark REQUIRED)
+    add_executable(${name}_bench ${benches})
+    target_link_libraries(${name}_bench PRIVATE yorb_${name} ${ROOM_BENCH_DEPS} benchmark::benchmark benchmark::benchmark_main)
+    yorb_options(${name}_bench)
+  endif()
+endfunction()

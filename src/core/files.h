@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "core/result.h"
+
+namespace yorb {
+
+/// Writes `content` beside `path` and renames it into place, so that a reader, a crash or a full disk sees the old
+/// file or the new one, whole. Missing parent folders are made. Failure names the file and the system's reason.
+Status WriteFileWhole(const std::string& path, const std::string& content);
+
+}  // namespace yorb

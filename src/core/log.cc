@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/log.h"
+
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+
+#include "core/text.h"
+
+namespace yorb {
+namespace {
+
+/// The one log of the process: what goes to the terminal, what to the file, and how often each warning came.
+struct Log {
+  std::mutex mutex;
+  LogOptions options;
+  std::shared_ptr<spdlog::logger> to_stdout, to_stderr, to_file;
+  std::map<std::string, int> warnings;
+  bool file_failed = false;
+};
+
+Log& TheLog() {
+  static Log log;
+  return log;
+}
+
+std::shared_ptr<spdlog::logger> Plain(const char* name, spdlog::sink_ptr sink) {
+  auto logger = std::make_shared<spdlog::logger>(name, std::move(sink));
+  logger->set_pattern("%v");
+  logger->set_error_handler([](const std::string&) { TheLog().file_failed = true; });
+  return logger;
+}
+
+spdlog::logger& Stderr(Log& log) {
+  if (!log.to_stderr) log.to_stderr = Plain("stderr", std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  return *log.to_stderr;
+}
+
+void Write(Log& log, spdlog::level::level_enum level, const std::string& line) {
+  if (level >= spdlog::level::warn) Stderr(log).log(level, line);
+  if (level < spdlog::level::warn && log.to_stdout) log.to_stdout->log(level, line);
+  if (log.to_file) log.to_file->log(level, line);
+}
+
+}  // namespace
+
+Status StartLog(const LogOptions& options) {
+  Log& log = TheLog();
+  const std::lock_guard<std::mutex> lock(log.mutex);
+  log.options = options;
+  log.warnings.clear();
+  log.file_failed = false;
+  log.to_stdout = options.to_stdout ? Plain("stdout", std::make_shared<spdlog::sinks::stdout_sink_mt>()) : nullptr;
+  log.to_file = nullptr;
+  if (options.file.empty()) return Status::Ok();
+  try {
+    log.to_file = Plain("file", std::make_shared<spdlog::sinks::basic_file_sink_mt>(options.file, true));
+  } catch (const spdlog::spdlog_ex& error) {
+    return BadInput(options.file + " cannot be written: " + error.what());
+  }
+  log.to_file->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
+  return Status::Ok();
+}
+
+Status StopLog() {
+  Log& log = TheLog();
+  const std::lock_guard<std::mutex> lock(log.mutex);
+  for (const auto& [kind, count] : log.warnings) {
+    const int hidden = count - log.options.repeats_shown;
+    if (hidden > 0) Write(log, spdlog::level::warn, kind + ": " + std::to_string(hidden) + " more of these warnings");
+  }
+  log.warnings.clear();
+  if (log.to_file) log.to_file->flush();
+  const std::string file = log.options.file;
+  log.to_file = log.to_stdout = nullptr;
+  log.options = {};
+  if (log.file_failed) return Failure(file + " cannot be written whole; is the disk full?");
+  return Status::Ok();
+}
+
+void LogInfo(const std::string& line) {
+  Log& log = TheLog();
+  const std::lock_guard<std::mutex> lock(log.mutex);
+  Write(log, spdlog::level::info, line);
+}
+
+void LogError(const std::string& line) {
+  Log& log = TheLog();
+  const std::lock_guard<std::mutex> lock(log.mutex);
+  Write(log, spdlog::level::err, line);
+}
+
+void LogWarning(const std::string& kind, const std::string& line) {
+  Log& log = TheLog();
+  const std::lock_guard<std::mutex> lock(log.mutex);
+  if (++log.warnings[kind] <= log.options.repeats_shown) Write(log, spdlog::level::warn, line);
+}
+
+}  // namespace yorb

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "core/result.h"
+
+namespace yorb {
+
+/// Where log lines go. Before `StartLog` and after `StopLog`: warnings and errors to standard error, the rest nowhere.
+struct LogOptions {
+  std::string file;         ///< also written to this file, at information level; empty: no file
+  bool to_stdout = false;   ///< information lines also to standard output (not with --quiet or --json)
+  int repeats_shown = 3;    ///< so many warnings of one kind are shown, the rest is counted and summed up at the end
+};
+
+/// Opens the log. One log a process. Bad input when the file cannot be written.
+Status StartLog(const LogOptions& options);
+
+/// Writes "... and N more of the kind" for every kind that went over `repeats_shown`, then closes the file. Failure
+/// when the file could not be written whole.
+Status StopLog();
+
+/// One line an event; numbers with units. Any thread may call these.
+void LogInfo(const std::string& line);
+void LogError(const std::string& line);
+
+/// `kind` is a fixed word such as "picture-skipped": warnings of one kind are shown a few times, then counted.
+void LogWarning(const std::string& kind, const std::string& line);
+
+}  // namespace yorb

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+
+namespace yorb {
+namespace {
+
+size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = std::exchange(row[0], i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t replace = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
+    }
+  }
+  return row[b.size()];
+}
+
+void AddLine(TextFile& file, int number, std::string_view raw) {
+  const std::string_view text = Trim(raw);
+  if (text.empty()) return;
+  if (text.front() == '#') {
+    file.comments.emplace_back(text);
+  } else {
+    file.lines.push_back({number, std::string(text)});
+  }
+}
+
+}  // namespace
+
+Result<TextFile> ReadTextFile(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return BadInput(path + " is a folder, a text file is expected");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    const bool exists = std::filesystem::exists(path, ignored);
+    return BadInput(path + (exists ? " cannot be read; check its rights" : " does not exist"));
+  }
+  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (stream.bad()) return BadInput(path + " cannot be read to its end");
+  if (content.find('\0') != std::string::npos) return BadInput(path + " is no text file: it holds zero bytes");
+
+  TextFile file;
+  file.path = path;
+  std::string_view rest = content;
+  if (rest.substr(0, 3) == "\xef\xbb\xbf") rest.remove_prefix(3);
+  for (int number = 1; !rest.empty(); ++number) {
+    const size_t end = rest.find('\n');
+    AddLine(file, number, rest.substr(0, end));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  }
+  return file;
+}
+
+std::string_view Trim(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n\v\f";
+  const size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::vector<std::string_view> SplitAtBlanks(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n\v\f";
+  std::vector<std::string_view> fields;
+  size_t start = text.find_first_not_of(kBlanks);
+  while (start != std::string_view::npos) {
+    const size_t end = std::min(text.find_first_of(kBlanks, start), text.size());
+    fields.push_back(text.substr(start, end - start));
+    start = text.find_first_not_of(kBlanks, end);
+  }
+  return fields;
+}
+
+std::vector<std::string_view> SplitAt(std::string_view text, char separator) {
+  std::vector<std::string_view> fields;
+  while (true) {
+    const size_t end = text.find(separator);
+    fields.push_back(Trim(text.substr(0, end)));
+    if (end == std::string_view::npos) return fields;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::optional<double> ParseDouble(std::string_view text) {
+  if (!text.empty() && text.front() == '+') {
+    text.remove_prefix(1);
+    if (!text.empty() && text.front() == '-') return std::nullopt;
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return value == 0 ? 0.0 : HUGE_VAL;
+  if (error != std::errc()) return std::nullopt;
+  return value;
+}
+
+std::optional<long long> ParseInteger(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  long long value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string FormatFixed(double value, int decimals) {
+  char buffer[400];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, decimals);
+  return error == std::errc() ? std::string(buffer, end) : FormatShortest(value);
+}
+
+std::string FormatShortest(double value) {
+  char buffer[64];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof(buffer), value);
+  return error == std::errc() ? std::string(buffer, end) : std::string("0");
+}
+
+std::string NearestWord(const std::string& word, const std::vector<std::string>& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+    return EditDistance(word, a) < EditDistance(word, b);
+  });
+  return nearest == known.end() ? std::string() : *nearest;
+}
+
+}  // namespace yorb

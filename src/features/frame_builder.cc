@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "features/frame_builder.h"
+
+#include <cmath>
+#include <limits>
+
+namespace yorb {
+namespace {
+
+/// The depth under a keypoint, in the picture as it is. The nearest pixel: an average would invent depths at edges.
+float DepthUnder(const Keypoint& keypoint, const DepthImage& depth) {
+  const int x = static_cast<int>(std::lround(keypoint.x)), y = static_cast<int>(std::lround(keypoint.y));
+  if (depth.empty() || x < 0 || y < 0 || x >= depth.pixels.cols || y >= depth.pixels.rows) return 0;
+  return depth.At(x, y);
+}
+
+}  // namespace
+
+ScaleTable::ScaleTable(int levels, double scale_factor) : factor(scale_factor) {
+  for (int level = 0; level < levels; ++level) {
+    const double s = std::pow(scale_factor, level);
+    scale.push_back(static_cast<float>(s));
+    inverse_variance.push_back(static_cast<float>(1.0 / (s * s)));
+  }
+}
+
+FrameBuilder::FrameBuilder(const FeatureOptions& options, const Rig& rig)
+    : extractor_(options),
+      rig_(std::make_shared<const Rig>(rig)),
+      scales_(std::make_shared<const ScaleTable>(options.levels, options.scale_factor)),
+      bounds_(rig.Bounds()) {}
+
+FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images) {
+  auto frame = std::make_shared<Frame>();
+  frame->id = id;
+  frame->timestamp = images.timestamp;
+  frame->rig = rig_;
+  frame->scales = scales_;
+  frame->bounds = bounds_;
+
+  Features features = extractor_.Extract(images.grey);
+  frame->keypoints = std::move(features.keypoints);
+  frame->descriptors = std::move(features.descriptors);
+
+  std::vector<Eigen::Vector2f> distorted_px(frame->size());
+  for (size_t i = 0; i < frame->size(); ++i) distorted_px[i] = {frame->keypoints[i].x, frame->keypoints[i].y};
+  frame->points_px = rig_->camera.Undistort(distorted_px);
+
+  frame->depth.resize(frame->size());
+  frame->right_px.assign(frame->size(), std::numeric_limits<float>::quiet_NaN());
+  for (size_t i = 0; i < frame->size(); ++i) {
+    frame->depth[i] = DepthUnder(frame->keypoints[i], images.depth);
+    if (frame->HasDepth(i)) {
+      frame->right_px[i] = frame->points_px[i].x() - static_cast<float>(rig_->baseline_px) / frame->depth[i];
+    }
+  }
+  frame->grid = Grid(bounds_, frame->points_px);
+  return frame;
+}
+
+}  // namespace yorb

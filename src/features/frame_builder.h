@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "camera/image_set.h"
+#include "features/frame.h"
+#include "features/orb_extractor.h"
+
+namespace yorb {
+
+/// From pictures to a Frame: extraction, undistortion, depth of each point, grid.
+class FrameBuilder {
+ public:
+  FrameBuilder(const FeatureOptions& options, const Rig& rig);
+
+  /// `images` must have the rig's picture size (the caller has checked it).
+  FramePtr Build(FrameId id, const ImageSet& images);
+
+ private:
+  OrbExtractor extractor_;
+  std::shared_ptr<const Rig> rig_;
+  std::shared_ptr<const ScaleTable> scales_;
+  PixelBounds bounds_;
+};
+
+}  // namespace yorb

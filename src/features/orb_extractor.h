@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Room: features. From a picture to a Frame.
+// Takes: grey pictures, depth, Rig. Gives: Features, Frame (const from then on). Owns: its scratch buffers.
+// Runs on: one thread at a time for each extractor. May not: know poses or maps.
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "core/options.h"
+#include "features/keypoint.h"
+
+namespace yorb {
+
+/// Options of the ORB extractor; YAML group `features`.
+struct FeatureOptions {
+  int wanted = 1000;                     ///< points a picture that tracking gets
+  double over_extraction = 1.0;          ///< how many times `wanted` is extracted, so that enough remain after removal
+  int levels = 8;                        ///< of the pyramid
+  double scale_factor = 1.2;             ///< between levels
+  std::string detector = "adaptive";     ///< fixed: ORB-SLAM2's thresholds; adaptive: equation (3) of the paper
+  std::string distribution = "improved"; ///< quadtree: ORB-SLAM2's; improved: equation (4) of the paper
+  int fast_arc = 9;                      ///< contiguous ring pixels that make a corner: 12 (the paper) or 9 (ORB)
+  int fixed_threshold = 20;              ///< grey levels; detector fixed
+  int fixed_threshold_low = 7;           ///< grey levels, where a cell finds nothing; detector fixed
+  double alpha = 0.7;                    ///< of equation (3); detector adaptive
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit) {
+    visit("wanted", self.wanted, Range(50, 20000));
+    visit("over_extraction", self.over_extraction, Range(1, 5));
+    visit("levels", self.levels, Range(1, 12));
+    visit("scale_factor", self.scale_factor, Range(1.05, 2));
+    visit("detector", self.detector, OneOf({"fixed", "adaptive"}));
+    visit("distribution", self.distribution, OneOf({"quadtree", "improved"}));
+    visit("fast_arc", self.fast_arc, Range(9, 12));
+    visit("fixed_threshold", self.fixed_threshold, Range(1, 254));
+    visit("fixed_threshold_low", self.fixed_threshold_low, Range(1, 254));
+    visit("alpha", self.alpha, Range(0.01, 5));
+  }
+};
+
+/// Finds oriented FAST corners over a pyramid, spreads them over the picture and describes them.
+/// Deterministic: the same picture gives the same features, whatever came before.
+class OrbExtractor {
+ public:
+  explicit OrbExtractor(const FeatureOptions& options);
+  ~OrbExtractor();
+  OrbExtractor(OrbExtractor&&) noexcept;
+  OrbExtractor& operator=(OrbExtractor&&) noexcept;
+
+  /// `grey` is CV_8UC1 of any size; a picture too small for a level gives no points there.
+  Features Extract(const cv::Mat& grey);
+
+ private:
+  struct Scratch;
+  FeatureOptions options_;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+}  // namespace yorb

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "features/frame.h"
+#include "geometry/rigid3.h"
+
+namespace yorb {
+
+struct Keyframe;
+struct Landmark;
+using KeyframeId = Id<Keyframe>;
+using LandmarkId = Id<Landmark>;
+
+/// Where the tracker stands.
+enum class TrackingState {
+  kNotInitialized,  ///< nothing has been seen yet that a map could begin with
+  kTracking,        ///< this frame's pose is confirmed by matches
+  kRecentlyLost,    ///< not confirmed; the motion model still says where to look
+  kLost,            ///< sought among the keyframes
+};
+
+/// The words of frames.csv: not_initialized, tracking, recently_lost, lost.
+const char* ToString(TrackingState state);
+
+/// What became of one picture. The pose is relative to a keyframe: only the map knows where keyframes are, so that a
+/// correction of the map moves the past trajectory with it.
+struct FrameRecord {
+  FrameId id;
+  Timestamp timestamp;
+  TrackingState state = TrackingState::kNotInitialized;
+  KeyframeId reference;         ///< valid where the pose is confirmed (state kTracking)
+  Rigid3 cam_from_reference;
+  int num_extracted = 0;
+  int num_static = 0;           ///< left to the tracker
+  int num_removed = 0;          ///< as dynamic
+  int num_given_back = 0;       ///< inside a box and yet static
+  int num_matched = 0;
+  int num_inliers = 0;
+  bool is_keyframe = false;
+  double extract_ms = 0, detect_ms = 0, remove_ms = 0, track_ms = 0;
+  double frame_total_ms = 0;    ///< from the start of extraction to the pose, without waiting in queues
+};
+
+}  // namespace yorb

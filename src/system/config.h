@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "features/orb_extractor.h"
+#include "mapping/mapping_options.h"
+#include "tracking/tracking_options.h"
+
+namespace yorb {
+
+/// How the stages run; all modes run the same functions.
+enum class Mode {
+  kInline,   ///< one thread: same seed, same bits
+  kOffline,  ///< threads; streams wait, no frame is left out
+  kLive,     ///< threads; frames that come too fast are dropped
+};
+
+/// Every value that a run depends on, given back in RUNDIR/config.yaml.
+struct Config {
+  std::string mode = "offline";    ///< inline, offline or live
+  std::string dynamics = "off";    ///< what is done about moving things
+  int64_t seed = 1;                ///< of everything that is drawn by chance: RANSAC in relocalisation
+  FeatureOptions features;
+  TrackingOptions tracking;
+  MappingOptions mapping;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit) {
+    visit("mode", self.mode, OneOf({"inline", "offline", "live"}));
+    visit("dynamics", self.dynamics, OneOf({"off"}));
+    visit("seed", self.seed, Range(0, 9e15));
+    visit("features", self.features);
+    visit("tracking", self.tracking);
+    visit("mapping", self.mapping);
+  }
+};
+
+}  // namespace yorb

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Room: system. Wires the stages into one river; the public door.
+// Takes: Config, Rig, ImageSets. Gives: FrameRecords, map snapshots, the trajectory. Owns: threads, channels, the log of
+// frames. Runs on: the caller's thread and, but for inline mode, its own. May not: read pictures or write results.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "camera/image_set.h"
+#include "core/result.h"
+#include "geometry/trajectory.h"
+#include "map/event.h"
+#include "system/config.h"
+
+namespace yorb {
+
+class Map;
+using MapSnapshot = std::shared_ptr<const Map>;
+
+/// What a run has come to so far.
+struct SlamReport {
+  std::vector<FrameRecord> frames;                          ///< in the order of time, one a pushed picture that was not dropped
+  std::map<std::string, std::vector<double>> stage_ms;      ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
+  Trajectory trajectory;                                    ///< confirmed frames, world_from_cam by the newest map
+  Trajectory keyframes;
+  size_t num_landmarks = 0;
+  size_t num_loops = 0;
+};
+
+/// A SLAM system for one camera.
+class Slam {
+ public:
+  /// Bad input where the configuration or the rig cannot work.
+  static Result<std::unique_ptr<Slam>> Create(const Config& config, const Rig& rig);
+
+  /// Ends the threads; what was pushed and not yet worked off is dropped (call Finish first to keep it).
+  ~Slam();
+
+  /// Hands over the next picture; its size must be the rig's and its time later than the one before (else bad input,
+  /// and the picture is left out). Inline: returns when all is done. Offline: waits for room. Live: never waits; false
+  /// when the picture was dropped.
+  Result<bool> Push(ImageSet images);
+
+  /// Waits until everything pushed is worked off, and ends the threads. Push must not be called afterwards.
+  void Finish();
+
+  /// The newest map; never null, valid for as long as it is held.
+  MapSnapshot Snapshot() const;
+
+  /// Where the run stands; at any time, from any thread.
+  SlamReport Report() const;
+
+  /// How many frames have been worked off; cheap, for progress bars.
+  size_t NumFramesDone() const;
+
+ private:
+  struct Pipeline;
+  explicit Slam(std::unique_ptr<Pipeline> pipeline);
+  std::unique_ptr<Pipeline> pipeline_;
+};
+
+}  // namespace yorb
