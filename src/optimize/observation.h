@@ -28,7 +28,7 @@ struct Observation {
   double x_px = 0, y_px = 0;
   /// NaN: no depth, two residuals instead of three. (Near the left border a true value is negative.)
   double right_px = std::numeric_limits<double>::quiet_NaN();
-  double inverse_variance = 1;      ///< 1/px^2, the same for all residuals of the observation
+  double inverse_variance = 1;  ///< 1/px^2, the same for all residuals of the observation
 
   bool HasDepth() const { return !std::isnan(right_px); }
 };
