@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/result.h"
+#include "datasets/dataset.h"
+
+namespace yorb {
+
+/// Opens a recording: finds out its layout, reads its lists, looks for every listed file, and fits the camera to the
+/// first picture. `camera` is a built-in name or a file; empty: only where the folder says which camera it is (a
+/// camera.yaml in it, or one of TUM's own folder names), else bad input that names --camera.
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const std::string& camera);
+
+/// The built-in camera that a folder's own name stands for (`rgbd_dataset_freiburg1_xyz` is tum_fr1); empty if none.
+std::string CameraOfFolderName(const std::string& folder);
+
+}  // namespace yorb
