@@ -9,23 +9,10 @@
 #include <fstream>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace yorb {
 namespace {
-
-size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (size_t i = 1; i <= a.size(); ++i) {
-    size_t diagonal = std::exchange(row[0], i);
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t replace = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
-    }
-  }
-  return row[b.size()];
-}
 
 void AddLine(TextFile& file, int number, std::string_view raw) {
   const std::string_view text = Trim(raw);
@@ -39,7 +26,7 @@ void AddLine(TextFile& file, int number, std::string_view raw) {
 
 }  // namespace
 
-Result<TextFile> ReadTextFile(const std::string& path) {
+Result<std::string> ReadWholeText(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return BadInput(path + " is a folder, a text file is expected");
   std::ifstream stream(path, std::ios::binary);
@@ -47,14 +34,19 @@ Result<TextFile> ReadTextFile(const std::string& path) {
     const bool exists = std::filesystem::exists(path, ignored);
     return BadInput(path + (exists ? " cannot be read; check its rights" : " does not exist"));
   }
-  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   if (stream.bad()) return BadInput(path + " cannot be read to its end");
   if (content.find('\0') != std::string::npos) return BadInput(path + " is no text file: it holds zero bytes");
+  if (content.compare(0, 3, "\xef\xbb\xbf") == 0) content.erase(0, 3);
+  return content;
+}
 
+Result<TextFile> ReadTextFile(const std::string& path) {
+  const auto content = ReadWholeText(path);
+  if (!content) return content.error();
   TextFile file;
   file.path = path;
-  std::string_view rest = content;
-  if (rest.substr(0, 3) == "\xef\xbb\xbf") rest.remove_prefix(3);
+  std::string_view rest = *content;
   for (int number = 1; !rest.empty(); ++number) {
     const size_t end = rest.find('\n');
     AddLine(file, number, rest.substr(0, end));
@@ -123,6 +115,20 @@ std::string FormatShortest(double value) {
   char buffer[64];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof(buffer), value);
   return error == std::errc() ? std::string(buffer, end) : std::string("0");
+}
+
+size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = std::exchange(row[0], i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t replace = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replace});
+    }
+  }
+  return row[b.size()];
 }
 
 std::string NearestWord(const std::string& word, const std::vector<std::string>& known) {

@@ -28,7 +28,11 @@ struct TextFile {
   std::string Where(const TextLine& line) const { return path + ", line " + std::to_string(line.number); }
 };
 
-/// Reads a whole text file. Bad input when it is missing, a folder, unreadable, or holds zero bytes (is no text).
+/// The text of a whole file as it is, without a byte-order mark. Bad input when it is missing, a folder, unreadable, or
+/// holds zero bytes (is no text).
+Result<std::string> ReadWholeText(const std::string& path);
+
+/// Reads a text file line by line. Bad input when it is missing, a folder, unreadable, or holds zero bytes (is no text).
 Result<TextFile> ReadTextFile(const std::string& path);
 
 /// `text` without blanks, tabs and line ends at both ends.
@@ -52,6 +56,9 @@ std::string FormatFixed(double value, int decimals);
 
 /// The shortest text that reads back as the same number, with a decimal point in every locale.
 std::string FormatShortest(double value);
+
+/// How many letters must be put in, taken out or replaced to make one word the other.
+size_t EditDistance(std::string_view a, std::string_view b);
 
 /// The word of `known` nearest to `word` by edit distance, for "did you mean"; empty when `known` is.
 std::string NearestWord(const std::string& word, const std::vector<std::string>& known);

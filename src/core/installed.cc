@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/installed.h"
+
+#include <filesystem>
+
+namespace yorb {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> InstalledFolderFrom(const std::string& start, const std::string& name) {
+  std::error_code ignored;
+  for (fs::path at = fs::weakly_canonical(start, ignored); !at.empty(); at = at.parent_path()) {
+    const fs::path shared = at / "share" / "yorb" / name;  // an installation, or a build folder with links of this shape
+    if (fs::is_directory(shared, ignored)) return shared.string();
+    const bool is_checkout = fs::exists(at / "src" / "LAYERS", ignored);
+    if (is_checkout && fs::is_directory(at / name, ignored)) return (at / name).string();
+    if (at == at.root_path()) break;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> InstalledFolder(const std::string& name) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  return InstalledFolderFrom(program.parent_path().string(), name);
+}
+
+}  // namespace yorb
