@@ -22,6 +22,7 @@ struct Config {
   std::string mode = "offline";    ///< inline, offline or live
   std::string dynamics = "off";    ///< what is done about moving things
   int64_t seed = 1;                ///< of everything that is drawn by chance: RANSAC in relocalisation
+  int64_t max_frames = 0;          ///< only so many pictures from the start of a sequence; 0: all
   FeatureOptions features;
   TrackingOptions tracking;
   MappingOptions mapping;
@@ -31,6 +32,7 @@ struct Config {
     visit("mode", self.mode, OneOf({"inline", "offline", "live"}));
     visit("dynamics", self.dynamics, OneOf({"off"}));
     visit("seed", self.seed, Range(0, 9e15));
+    visit("max_frames", self.max_frames, Range(0, 9e15));
     visit("features", self.features);
     visit("tracking", self.tracking);
     visit("mapping", self.mapping);
