@@ -35,7 +35,7 @@ struct FeatureOptions {
     visit("scale_factor", self.scale_factor, Range(1.05, 2));
     visit("detector", self.detector, OneOf({"fixed", "adaptive"}));
     visit("distribution", self.distribution, OneOf({"quadtree", "improved"}));
-    visit("fast_arc", self.fast_arc, Range(9, 12));
+    visit("fast_arc", self.fast_arc, OneOf({"9", "12"}));
     visit("fixed_threshold", self.fixed_threshold, Range(1, 254));
     visit("fixed_threshold_low", self.fixed_threshold_low, Range(1, 254));
     visit("alpha", self.alpha, Range(0.01, 5));
