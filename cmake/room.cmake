@@ -6,10 +6,25 @@ function(yorb_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                            -Wno-missing-field-initializers -ffp-contract=off
                                            -Wno-restrict)  # a false alarm of gcc 12 on string + string
+  if(YORB_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
   if(YORB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE})
   endif()
+endfunction()
+
+# yorb_tests(TARGET PREFIX): makes every TEST of a GoogleTest program a test of ctest, PREFIX.Suite.Name. Those of
+# YORB_THREADED_ROOMS and of the whole program (prefix "tests") have the label "threads".
+add_custom_target(yorb_threaded_tests)
+function(yorb_tests target prefix)
+  set(properties TIMEOUT 300)
+  if(prefix IN_LIST YORB_THREADED_ROOMS OR prefix STREQUAL "tests")
+    list(APPEND properties LABELS threads)
+    add_dependencies(yorb_threaded_tests ${target})
+  endif()
+  gtest_discover_tests(${target} TEST_PREFIX ${prefix}. DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()
 
 # yorb_room(NAME DEPS targets...): one library from the folder's *.cc, one test program from its *_test.cc and one
@@ -28,15 +43,19 @@ function(yorb_room name)
     add_library(yorb_${name} STATIC ${sources})
     target_link_libraries(yorb_${name} PUBLIC ${ROOM_DEPS})
     target_include_directories(yorb_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
-                                                   $<INSTALL_INTERFACE:include/yorb>)
+                                                   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/yorb>)
     yorb_options(yorb_${name})
   else()
     add_library(yorb_${name} INTERFACE)
     target_link_libraries(yorb_${name} INTERFACE ${ROOM_DEPS})
     target_include_directories(yorb_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
-                                                      $<INSTALL_INTERFACE:include/yorb>)
+                                                      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/yorb>)
   endif()
   set_target_properties(yorb_${name} PROPERTIES EXPORT_NAME ${name})
+  add_library(yorb::${name} ALIAS yorb_${name})
+  install(TARGETS yorb_${name} EXPORT yorbTargets)
+  file(GLOB headers CONFIGURE_DEPENDS *.h)
+  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/yorb/${name})
 
   if(tests AND YORB_TESTS)
     find_package(GTest REQUIRED)
@@ -44,7 +63,7 @@ function(yorb_room name)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE yorb_${name} ${ROOM_TEST_DEPS} GTest::gmock GTest::gtest_main)
     yorb_options(${name}_test)
-    gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+    yorb_tests(${name}_test ${name})
   endif()
   if(benches AND YORB_BENCHES)
     find_package(benchmark REQUIRED)

@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: 2026 The yorb-slam authors
+# SPDX-License-Identifier: BSD-3-Clause
+# The commands of daily work. `make build` leaves build/release/apps/yorb; `make check` is all of CI.
+
+JOBS ?= $(shell nproc)
+RELEASE := build/release
+YORB := $(RELEASE)/apps/yorb
+BUILD = cmake --build $(1) --parallel $(JOBS)
+
+.PHONY: build test demo check check-all-but-test format format-check layers headers werror asan tsan tidy install-check \
+        install packages clean help
+
+build: packages $(RELEASE)/build.ninja  ## build the program, release
+	@$(call BUILD,$(RELEASE)) --target yorb
+
+test: packages $(RELEASE)/build.ninja  ## build and run all tests, release
+	@$(call BUILD,$(RELEASE))
+	@ctest --test-dir $(RELEASE) --output-on-failure --parallel $(JOBS)
+
+demo: build  ## render a sequence, run SLAM on it, evaluate, name the report
+	@tools/demo.sh $(YORB) build/demo
+
+check: check-all-but-test  ## all of CI
+	@$(MAKE) --no-print-directory test
+
+check-all-but-test:
+	@tools/check.sh
+
+format:  ## write all sources in the house format
+	@git ls-files -z '*.h' '*.cc' | xargs -0 clang-format-14 -i
+
+format-check:
+	@git ls-files -z '*.h' '*.cc' | xargs -0 clang-format-14 --dry-run --Werror
+
+layers:  ## rooms, guests, lengths, licence lines
+	@python3 tools/check_layers.py
+
+headers: packages  ## the public headers compile as C++17
+	@python3 tools/check_headers.py --jobs $(JOBS)
+
+werror: packages  ## release with warnings as errors (stays so for later builds in this folder)
+	@cmake --preset release -DYORB_WERROR=ON
+	@$(call BUILD,$(RELEASE))
+
+asan: packages build/dev/build.ninja  ## tests with AddressSanitizer and UBSan
+	@$(call BUILD,build/dev)
+	@ctest --preset dev --parallel $(JOBS)
+
+tsan: packages build/tsan/build.ninja  ## tests of everything that has threads with ThreadSanitizer
+	@$(call BUILD,build/tsan) --target yorb_threaded_tests
+	@TSAN_OPTIONS="suppressions=$(CURDIR)/tools/tsan.supp" ctest --preset tsan --parallel $(JOBS)
+
+tidy: packages $(RELEASE)/build.ninja  ## clang-tidy over all sources
+	@tools/tidy.sh $(RELEASE) $(JOBS)
+
+install-check: build  ## install to a scratch prefix and build a consumer against it
+	@tools/check_install.sh $(RELEASE) build/install_check
+
+install: build  ## PREFIX=/usr/local
+	@$(call BUILD,$(RELEASE))
+	@cmake --install $(RELEASE) --prefix $(or $(PREFIX),/usr/local)
+
+packages:
+	@tools/install_packages.sh
+
+clean:  ## throw away all that was built
+	@rm -rf build
+
+help:
+	@sed -n 's/^\([a-z-]*\):.*## /\1: /p' $(MAKEFILE_LIST)
+
+build/%/build.ninja: CMakePresets.json
+	@cmake --preset $*
