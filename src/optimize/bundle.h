@@ -14,20 +14,21 @@ namespace yorb {
 /// Poses, points and who sees what; a value, independent of any map.
 struct BundleProblem {
   struct Seen {
-    uint32_t pose = 0, point = 0;   ///< rows of `poses` and `points`
+    uint32_t pose = 0, point = 0;  ///< rows of `poses` and `points`
     Observation observation;
   };
   Projection projection;
-  std::vector<Rigid3> poses;        ///< cam_from_world
-  std::vector<bool> is_fixed;       ///< a row a pose; at least one is fixed, or the problem floats
+  std::vector<Rigid3> poses;   ///< cam_from_world
+  std::vector<bool> is_fixed;  ///< a row a pose; at least one is fixed, or the problem floats
   std::vector<Eigen::Vector3d> points;
   std::vector<Seen> seen;
 };
 
 struct BundleOptions {
-  int first_iterations = 5;    ///< with Huber's loss, before outliers are taken out
-  int second_iterations = 10;  ///< without outliers, Huber off
-  double relative_tolerance = 1e-6;  ///< stop when a step lowers the cost by less than this fraction
+  int first_iterations = 5;          ///< with Huber's loss, before outliers are taken out
+  int second_iterations = 10;        ///< without outliers, Huber off; all rounds of it together
+  int second_rounds = 1;             ///< after each of which outliers are judged anew, until their set stays
+  double relative_tolerance = 1e-6;  ///< a round ends when a step lowers the cost by less than this fraction
 };
 
 struct BundleResult {
@@ -36,7 +37,7 @@ struct BundleResult {
   std::vector<bool> is_outlier;  ///< a row an entry of `seen`: chi-square above 95 % at the end, or behind the camera
   double initial_cost = 0, final_cost = 0;
   int iterations = 0;
-  bool was_stopped = false;      ///< `should_stop` said so; the values are the best so far
+  bool was_stopped = false;  ///< `should_stop` said so; the values are the best so far
 };
 
 /// Bundle adjustment: Levenberg-Marquardt on the Schur complement of the points, dense reduced system. `should_stop` is

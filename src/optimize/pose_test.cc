@@ -30,7 +30,8 @@ TEST(OptimizePose, Smoke) {
     if (k % 3 == 0) o.seen.x_px += 50;
     obs.push_back(o);
   }
-  const auto r = OptimizePose(Rigid3::FromStep((Eigen::Matrix<double,6,1>() << .05, -.05, .05, .1, .1, .1).finished()) * truth, obs, p);
+  const auto r = OptimizePose(
+      Rigid3::FromStep((Eigen::Matrix<double, 6, 1>() << .05, -.05, .05, .1, .1, .1).finished()) * truth, obs, p);
   EXPECT_EQ(r.num_inliers, 200u);
   EXPECT_LT((r.cam_from_world * truth.Inverse()).translation.norm(), 1e-8);
 }

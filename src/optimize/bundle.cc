@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/bundle.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/check.h"
+#include "optimize/bundle_step.h"
+
+namespace yorb {
+namespace {
+
+constexpr double kFirstDamping = 1e-5, kLeastDamping = 1e-9, kMostDamping = 1e12;
+
+/// How one round of iterations ended.
+struct Round {
+  int iterations = 0;
+  bool was_stopped = false;
+};
+
+void CheckRows(const BundleProblem& problem) {
+  YORB_CHECK(problem.is_fixed.size() == problem.poses.size(), "is_fixed needs a row a pose");
+  for (const BundleProblem::Seen& seen : problem.seen) {
+    YORB_CHECK(seen.pose < problem.poses.size() && seen.point < problem.points.size(), "an observation of no row");
+  }
+}
+
+/// Observations that are whole: nothing in them, in their pose or in their point is NaN or infinite.
+std::vector<bool> FindUsable(const BundleProblem& problem) {
+  std::vector<bool> is_usable(problem.seen.size());
+  for (size_t k = 0; k < problem.seen.size(); ++k) {
+    const BundleProblem::Seen& seen = problem.seen[k];
+    const Observation& o = seen.observation;
+    is_usable[k] = std::isfinite(o.x_px) && std::isfinite(o.y_px) && !std::isinf(o.right_px) &&
+                   std::isfinite(o.inverse_variance) && o.inverse_variance > 0 && problem.poses[seen.pose].IsFinite() &&
+                   problem.points[seen.point].allFinite();
+  }
+  return is_usable;
+}
+
+std::vector<bool> FindInliers(const BundleProblem& problem, const std::vector<bool>& is_usable,
+                              const BundleValues& values) {
+  std::vector<bool> is_inlier(problem.seen.size());
+  for (size_t k = 0; k < problem.seen.size(); ++k) {
+    const BundleProblem::Seen& seen = problem.seen[k];
+    const Eigen::Vector3d x = values.poses[seen.pose] * values.points[seen.point];
+    is_inlier[k] = is_usable[k] && Chi2(x, seen.observation, problem.projection) <= Chi2Bound(seen.observation);
+  }
+  return is_inlier;
+}
+
+/// Levenberg-Marquardt with Nielsen's rule for the damping. `values` are the best so far at any time.
+Round Iterate(BundleStepper& stepper, int max_iterations, double tolerance, const std::function<bool()>& should_stop,
+              BundleValues& values) {
+  Round round;
+  BundleValues trial = values;
+  double cost = stepper.Linearize(values);
+  double damping = kFirstDamping, growth = 2;
+  for (; round.iterations < max_iterations && damping < kMostDamping; ++round.iterations) {
+    round.was_stopped = should_stop && should_stop();
+    if (round.was_stopped) break;
+    double decrease = -1;
+    if (stepper.Solve(damping)) {
+      if (stepper.PredictedDecrease() <= 1e-3 * tolerance * cost) break;
+      stepper.Apply(values, trial);
+      decrease = cost - stepper.Cost(trial);
+    }
+    if (!(decrease > 0)) {
+      damping *= growth;
+      growth *= 2;
+      continue;
+    }
+    std::swap(values, trial);
+    const bool is_done = decrease <= tolerance * cost;
+    const double gain = decrease / stepper.PredictedDecrease();
+    damping = std::max(kLeastDamping, damping * std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3)));
+    growth = 2;
+    if (is_done) {
+      ++round.iterations;
+      break;
+    }
+    cost = stepper.Linearize(values);
+  }
+  return round;
+}
+
+}  // namespace
+
+BundleResult AdjustBundle(const BundleProblem& problem, const BundleOptions& options,
+                          const std::function<bool()>& should_stop) {
+  CheckRows(problem);
+  const std::vector<bool> is_usable = FindUsable(problem);
+  BundleValues values{problem.poses, problem.points};
+  BundleResult result;
+
+  const BundleStructure whole = MakeBundleStructure(problem, is_usable);
+  BundleStepper robust(whole, problem.projection, true);
+  result.initial_cost = robust.Cost(values);
+  Round round = Iterate(robust, options.first_iterations, options.relative_tolerance, should_stop, values);
+  result.iterations = round.iterations;
+  std::vector<bool> is_inlier = FindInliers(problem, is_usable, values);
+  int left = options.second_iterations;
+  for (int k = 0; k < options.second_rounds && left > 0 && !round.was_stopped; ++k) {
+    const BundleStructure clean = MakeBundleStructure(problem, is_inlier);
+    BundleStepper plain(clean, problem.projection, false);
+    round = Iterate(plain, left, options.relative_tolerance, should_stop, values);
+    result.iterations += round.iterations;
+    left -= round.iterations;
+    std::vector<bool> was_inlier = FindInliers(problem, is_usable, values);
+    was_inlier.swap(is_inlier);
+    if (is_inlier == was_inlier) break;
+  }
+  result.was_stopped = round.was_stopped;
+  result.final_cost = robust.Cost(values);
+  result.is_outlier = std::move(is_inlier);
+  result.is_outlier.flip();
+  result.poses = std::move(values.poses);
+  result.points = std::move(values.points);
+  return result;
+}
+
+}  // namespace yorb
