@@ -40,6 +40,9 @@ AxisRange RangeOfAll(const Chart& chart, std::vector<double> ChartSeries::*value
   for (const ChartSeries& series : chart.series) {
     all.insert(all.end(), (series.*values).begin(), (series.*values).end());
   }
+  if (values == &ChartSeries::x) {
+    for (const ChartBand& band : chart.bands) all.insert(all.end(), {band.from, band.to});
+  }
   return RangeOf(all, margin);
 }
 
@@ -62,7 +65,8 @@ Plot LayOut(const Chart& chart) {
     Widen(plot.x, metres_a_px * wide);
     Widen(plot.y, metres_a_px * plot.height);
   }
-  plot.y_ticks = NiceTicks(plot.y, std::max(2, static_cast<int>(plot.height / kTickEvery_y_px)));
+  if (!chart.series.empty())
+    plot.y_ticks = NiceTicks(plot.y, std::max(2, static_cast<int>(plot.height / kTickEvery_y_px)));
   plot.left = 80;
   plot.width = wide;
   plot.x_ticks = NiceTicks(plot.x, std::max(2, static_cast<int>(plot.width / kTickEvery_x_px)));
@@ -138,25 +142,63 @@ double Letters(const std::string& text) {
   return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-/// In the title's line, from the right.
+/// What the legend says of one series or one kind of band.
+struct LegendEntry {
+  std::string name, color;
+  enum class Sample { kLine, kDot, kBox } sample = Sample::kLine;
+  std::string stroke;
+};
+
+std::vector<LegendEntry> Legend(const Chart& chart) {
+  std::vector<LegendEntry> entries;
+  for (size_t i = 0; i < chart.series.size(); ++i) {
+    const ChartSeries& series = chart.series[i];
+    const std::string color = ColorOf(chart, i);
+    const auto sample = series.is_dots ? LegendEntry::Sample::kDot : LegendEntry::Sample::kLine;
+    if (!series.name.empty()) entries.push_back({series.name, color, sample, StrokeOf(series, color)});
+  }
+  for (const ChartBand& band : chart.bands) {
+    const auto is_same = [&](const LegendEntry& entry) { return entry.name == band.name; };
+    if (band.name.empty() || std::any_of(entries.begin(), entries.end(), is_same)) continue;
+    entries.push_back({band.name, band.color, LegendEntry::Sample::kBox, ""});
+  }
+  return entries;
+}
+
+/// In the title's line, from the right; what has no room is left out.
 void DrawLegend(const Chart& chart, const Plot& plot, SvgCanvas& canvas) {
   constexpr double kSample_px = 20, kGap_px = 18;
-  double x = plot.left + plot.width;
   const double y = kTop_px - 18;
-  for (size_t i = chart.series.size(); i-- > 0;) {
-    const ChartSeries& series = chart.series[i];
-    if (series.name.empty()) continue;
-    x -= Letters(series.name) * kCharacter_px;
+  const std::vector<LegendEntry> entries = Legend(chart);
+  double x = plot.left + plot.width;
+  for (size_t i = entries.size(); i-- > 0;) {
+    const LegendEntry& entry = entries[i];
+    x -= Letters(entry.name) * kCharacter_px + kSample_px + 5;
     if (x < plot.left + Letters(chart.title) * 8) return;
-    canvas.Text({x, y + 4}, series.name, SvgAnchor::kStart, kFaintInk);
-    x -= kSample_px + 5;
-    const std::string color = ColorOf(chart, i);
-    if (series.is_dots) {
-      canvas.Circle({x + 0.7 * kSample_px, y}, std::max(2.5, 0.5 * series.width_px), "fill=\"" + color + '"');
-    } else {
-      canvas.Line({x, y}, {x + kSample_px, y}, StrokeOf(series, color));
+    canvas.Text({x + kSample_px + 5, y + 4}, entry.name, SvgAnchor::kStart, kFaintInk);
+    const std::string fill = "fill=\"" + entry.color + '"';
+    switch (entry.sample) {
+      case LegendEntry::Sample::kDot:
+        canvas.Circle({x + 0.7 * kSample_px, y}, 3, fill);
+        break;
+      case LegendEntry::Sample::kLine:
+        canvas.Line({x, y}, {x + kSample_px, y}, entry.stroke);
+        break;
+      case LegendEntry::Sample::kBox:
+        canvas.Rect({x + 6, y - 6}, 12, 12, fill);
+        break;
     }
     x -= kGap_px;
+  }
+}
+
+void DrawBands(const Chart& chart, const Plot& plot, SvgCanvas& canvas) {
+  constexpr double kLeast_px = 1;  // a single lost frame of an hour must show
+  const std::string opacity = chart.series.empty() ? "" : " fill-opacity=\"0.18\"";
+  for (const ChartBand& band : chart.bands) {
+    const SvgPoint from = plot.At(band.from, plot.y.high), to = plot.At(band.to, plot.y.low);
+    const double width = std::max(kLeast_px, to.x - from.x);
+    canvas.Rect(from, width, to.y - from.y, "fill=\"" + band.color + '"' + opacity);
   }
 }
 
@@ -164,6 +206,7 @@ void DrawChart(const Chart& chart, SvgCanvas& canvas) {
   const Plot plot = LayOut(chart);
   canvas.Text({plot.left, kTop_px - 14}, chart.title, SvgAnchor::kStart,
               std::string(kInk) + " font-size=\"15\" font-weight=\"600\"");
+  DrawBands(chart, plot, canvas);
   DrawAxes(chart, plot, canvas);
   for (size_t i = 0; i < chart.series.size(); ++i) DrawSeries(chart.series[i], ColorOf(chart, i), plot, canvas);
   DrawLegend(chart, plot, canvas);

@@ -17,10 +17,17 @@ struct ChartSeries {
   double width_px = 1.6;  ///< of the line, or of the dots
 };
 
-/// A chart of lines over two axes.
+/// A stretch of the x axis in a colour of its own, behind the lines: when the camera was lost, say.
+struct ChartBand {
+  double from = 0, to = 0;
+  std::string color, name;  ///< the legend lists each name once
+};
+
+/// A chart of lines over two axes; with bands alone it is a time line without a y axis.
 struct Chart {
   std::string title, x_label, y_label;
   std::vector<ChartSeries> series;
+  std::vector<ChartBand> bands;
   bool is_equal_aspect = false;  ///< one metre is as long on both axes: maps, views from above
   bool is_from_zero = false;     ///< the y axis begins at 0: errors, times, counts
   int width_px = 860, height_px = 340;
