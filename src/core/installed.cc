@@ -11,7 +11,8 @@ namespace fs = std::filesystem;
 std::optional<std::string> InstalledFolderFrom(const std::string& start, const std::string& name) {
   std::error_code ignored;
   for (fs::path at = fs::weakly_canonical(start, ignored); !at.empty(); at = at.parent_path()) {
-    const fs::path shared = at / "share" / "yorb" / name;  // an installation, or a build folder with links of this shape
+    const fs::path shared =
+        at / "share" / "yorb" / name;  // an installation, or a build folder with links of this shape
     if (fs::is_directory(shared, ignored)) return shared.string();
     const bool is_checkout = fs::exists(at / "src" / "LAYERS", ignored);
     if (is_checkout && fs::is_directory(at / name, ignored)) return (at / name).string();
