@@ -32,14 +32,14 @@ GUESTS = [
     ("GoogleTest", r"(gtest|gmock)/", TESTS, "*_test.cc"),
     ("Google Benchmark", r"benchmark/", r".*_bench\.cc|bench/.*", "*_bench.cc"),
     ("threads", r"(mutex|shared_mutex|thread|atomic|condition_variable|future|semaphore|latch|barrier|stop_token|pthread\.h)$",
-     r"src/core/(channel|latest|parallel)\.h|src/core/(log|parallel)\.cc|src/system/pipeline[a-z_]*\.(h|cc)|src/viewer/.*|"
-     + TESTS, "core/channel.h, core/latest.h, core/parallel.h, core/log.cc, system/pipeline.*"),
+     r"src/core/(channel|latest|parallel|prefetch)\.h|src/core/log\.cc|src/system/pipeline[a-z_]*\.(h|cc)|src/viewer/.*|"
+     + TESTS, "core/{channel,latest,parallel,prefetch}.h, core/log.cc, system/pipeline.*"),
 ]
 
 # Words that a library must not say: (pattern, files where it may stand, the complaint).
 WORDS = [
     (r"\bstd::(mutex|recursive_mutex|shared_mutex|thread|jthread|atomic\w*|condition_variable\w*|async|future|call_once)\b",
-     GUESTS[-1][2], "threads and locks stay in core/channel.h, latest.h, parallel.h, log.cc and system/pipeline.*"),
+     GUESTS[-1][2], "threads and locks stay in core/{channel,latest,parallel,prefetch}.h, core/log.cc and system/pipeline.*"),
     (r"\b(usleep|nanosleep|sleep_for|sleep_until)\b", TESTS + r"|src/runs/.*|src/system/pipeline[a-z_]*\.cc",
      "no sleeping and no polling: wait on a Channel (only the live player keeps a pace)"),
     (r"\bstd::(cout|cerr|clog)\b|\b(std::)?(printf|puts|putchar)\s*\(|\bfprintf\s*\(\s*std(out|err)",

@@ -24,6 +24,20 @@ void AddLine(TextFile& file, int number, std::string_view raw) {
   }
 }
 
+/// What a number too large or too small for a double stands for: infinity or zero. std::from_chars does not say which.
+double BeyondDouble(std::string_view text) {
+  const size_t mantissa_end = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view mantissa = text.substr(0, mantissa_end);
+  const auto point = static_cast<long long>(std::min(mantissa.find('.'), mantissa.size()));
+  const auto first_digit = static_cast<long long>(std::min(mantissa.find_first_of("123456789"), mantissa.size()));
+  const std::string_view exponent_text = text.substr(std::min(mantissa_end + 1, text.size()));
+  // An exponent that is no long long outweighs any mantissa.
+  const long long weighty = exponent_text.substr(0, 1) == "-" ? -1'000'000'000'000 : 1'000'000'000'000;
+  const long long exponent = exponent_text.empty() ? 0 : ParseInteger(exponent_text).value_or(weighty);
+  const double magnitude = point - first_digit + exponent > 0 ? HUGE_VAL : 0.0;
+  return text.front() == '-' ? -magnitude : magnitude;
+}
+
 }  // namespace
 
 Result<std::string> ReadWholeText(const std::string& path) {
@@ -92,13 +106,13 @@ std::optional<double> ParseDouble(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || end != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) return value == 0 ? 0.0 : HUGE_VAL;
+  if (error == std::errc::result_out_of_range) return BeyondDouble(text);
   if (error != std::errc()) return std::nullopt;
   return value;
 }
 
 std::optional<long long> ParseInteger(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   long long value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;

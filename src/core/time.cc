@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "core/text.h"
 
@@ -32,7 +33,8 @@ std::optional<Decimal> ReadDecimal(std::string_view text) {
   decimal.digits = std::string(mantissa.substr(0, point));
   if (point < mantissa.size()) decimal.digits += mantissa.substr(point + 1);
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (decimal.digits.empty() || !std::all_of(decimal.digits.begin(), decimal.digits.end(), is_digit)) return std::nullopt;
+  if (decimal.digits.empty() || !std::all_of(decimal.digits.begin(), decimal.digits.end(), is_digit))
+    return std::nullopt;
   decimal.point = static_cast<int>(point);
   if (mantissa_end < text.size()) {
     const auto exponent = ParseInteger(text.substr(mantissa_end + 1));
@@ -62,6 +64,7 @@ std::optional<Timestamp> ParseTimestamp(std::string_view text) {
   if (!digits.empty() && std::from_chars(digits.data(), digits.data() + digits.size(), ns).ec != std::errc()) {
     return std::nullopt;
   }
+  if (round_up && ns == std::numeric_limits<int64_t>::max()) return std::nullopt;
   ns += round_up;
   return Timestamp{decimal->is_negative ? -ns : ns};
 }
