@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace yorb {
 namespace {
@@ -26,28 +27,51 @@ bool WriteAll(int file, const std::string& content) {
   return true;
 }
 
+std::string DraftOf(const std::string& path) { return path + ".part"; }
+
+Status WriteDraft(const FileToWrite& target) {
+  std::error_code error;
+  const std::filesystem::path parent = std::filesystem::path(target.path).parent_path();
+  if (!parent.empty()) std::filesystem::create_directories(parent, error);
+
+  const std::string draft = DraftOf(target.path);
+  const int file = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return CannotWrite(target.path, errno);
+  const bool is_written = WriteAll(file, target.content) && ::fsync(file) == 0;
+  const int reason = errno;
+  if (::close(file) == 0 && is_written) return Status::Ok();
+  const int why = is_written ? errno : reason;
+  ::unlink(draft.c_str());
+  return CannotWrite(target.path, why);
+}
+
+Status PutInPlace(const std::string& path) {
+  const std::string draft = DraftOf(path);
+  if (::rename(draft.c_str(), path.c_str()) == 0) return Status::Ok();
+  const int reason = errno;
+  ::unlink(draft.c_str());
+  return CannotWrite(path, reason);
+}
+
 }  // namespace
 
 Status WriteFileWhole(const std::string& path, const std::string& content) {
-  std::error_code error;
-  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  if (!parent.empty()) std::filesystem::create_directories(parent, error);
+  return WriteFilesTogether({{path, content}});
+}
 
-  const std::string draft = path + ".part";
-  const int file = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return CannotWrite(path, errno);
-  const bool written = WriteAll(file, content) && ::fsync(file) == 0;
-  const int reason = errno;
-  if (::close(file) != 0 || !written) {
-    ::unlink(draft.c_str());
-    return CannotWrite(path, written ? errno : reason);
+Status WriteFilesTogether(const std::vector<FileToWrite>& files) {
+  for (size_t i = 0; i < files.size(); ++i) {
+    Status status = WriteDraft(files[i]);
+    if (status) continue;
+    for (size_t k = 0; k < i; ++k) ::unlink(DraftOf(files[k].path).c_str());
+    return status;
   }
-  if (::rename(draft.c_str(), path.c_str()) != 0) {
-    const int why = errno;
-    ::unlink(draft.c_str());
-    return CannotWrite(path, why);
+  Status first = Status::Ok();
+  for (const FileToWrite& file : files) {
+    Status status = PutInPlace(file.path);
+    if (first && !status) first = std::move(status);
   }
-  return Status::Ok();
+  return first;
 }
 
 }  // namespace yorb

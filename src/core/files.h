@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 
@@ -11,5 +12,15 @@ namespace yorb {
 /// Writes `content` beside `path` and renames it into place, so that a reader, a crash or a full disk sees the old
 /// file or the new one, whole. Missing parent folders are made. Failure names the file and the system's reason.
 Status WriteFileWhole(const std::string& path, const std::string& content);
+
+/// One file to be written.
+struct FileToWrite {
+  std::string path;
+  std::string content;
+};
+
+/// Writes several files that belong together: none is put in its place before all of them could be written, so that a
+/// full disk leaves the old ones as they were.
+Status WriteFilesTogether(const std::vector<FileToWrite>& files);
 
 }  // namespace yorb

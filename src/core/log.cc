@@ -3,12 +3,15 @@
 #include "core/log.h"
 
 #include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <utility>
+#include <sstream>
 
 #include "core/text.h"
 
@@ -19,7 +22,8 @@ namespace {
 struct Log {
   std::mutex mutex;
   LogOptions options;
-  std::shared_ptr<spdlog::logger> to_stdout, to_stderr, to_file;
+  std::shared_ptr<spdlog::logger> to_stdout, to_stderr, to_file, to_text;
+  std::ostringstream text;
   std::map<std::string, int> warnings;
   bool file_failed = false;
 };
@@ -28,6 +32,9 @@ Log& TheLog() {
   static Log log;
   return log;
 }
+
+constexpr const char* kDatedLine = "%Y-%m-%d %H:%M:%S.%e %l: %v";
+constexpr std::streamoff kMostTextBytes = 200000;
 
 std::shared_ptr<spdlog::logger> Plain(const char* name, spdlog::sink_ptr sink) {
   auto logger = std::make_shared<spdlog::logger>(name, std::move(sink));
@@ -45,6 +52,16 @@ void Write(Log& log, spdlog::level::level_enum level, const std::string& line) {
   if (level >= spdlog::level::warn) Stderr(log).log(level, line);
   if (level < spdlog::level::warn && log.to_stdout) log.to_stdout->log(level, line);
   if (log.to_file) log.to_file->log(level, line);
+  if (log.to_text && log.text.tellp() < kMostTextBytes) log.to_text->log(level, line);
+}
+
+void SumUp(Log& log) {
+  for (auto& [kind, count] : log.warnings) {
+    const int hidden = count - log.options.repeats_shown;
+    if (hidden <= 0) continue;
+    Write(log, spdlog::level::warn, kind + ": " + std::to_string(hidden) + " more of these warnings");
+    count = log.options.repeats_shown;
+  }
 }
 
 }  // namespace
@@ -56,30 +73,44 @@ Status StartLog(const LogOptions& options) {
   log.warnings.clear();
   log.file_failed = false;
   log.to_stdout = options.to_stdout ? Plain("stdout", std::make_shared<spdlog::sinks::stdout_sink_mt>()) : nullptr;
-  log.to_file = nullptr;
+  log.to_file = log.to_text = nullptr;
+  log.text.str("");
+  if (options.keeps_text) {
+    log.to_text = Plain("text", std::make_shared<spdlog::sinks::ostream_sink_mt>(log.text));
+    log.to_text->set_pattern(kDatedLine);
+  }
   if (options.file.empty()) return Status::Ok();
   try {
     log.to_file = Plain("file", std::make_shared<spdlog::sinks::basic_file_sink_mt>(options.file, true));
   } catch (const spdlog::spdlog_ex& error) {
     return BadInput(options.file + " cannot be written: " + error.what());
   }
-  log.to_file->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
+  log.to_file->set_pattern(kDatedLine);
   return Status::Ok();
+}
+
+void SumUpWarnings() {
+  Log& log = TheLog();
+  const std::lock_guard<std::mutex> lock(log.mutex);
+  SumUp(log);
+}
+
+std::string LogText() {
+  Log& log = TheLog();
+  const std::lock_guard<std::mutex> lock(log.mutex);
+  return log.text.str();
 }
 
 Status StopLog() {
   Log& log = TheLog();
   const std::lock_guard<std::mutex> lock(log.mutex);
-  for (const auto& [kind, count] : log.warnings) {
-    const int hidden = count - log.options.repeats_shown;
-    if (hidden > 0) Write(log, spdlog::level::warn, kind + ": " + std::to_string(hidden) + " more of these warnings");
-  }
+  SumUp(log);
   log.warnings.clear();
   if (log.to_file) log.to_file->flush();
   const std::string file = log.options.file;
-  log.to_file = log.to_stdout = nullptr;
+  log.to_file = log.to_stdout = log.to_text = nullptr;
   log.options = {};
-  if (log.file_failed) return Failure(file + " cannot be written whole; is the disk full?");
+  if (std::exchange(log.file_failed, false)) return Failure(file + " cannot be written whole; is the disk full?");
   return Status::Ok();
 }
 

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "evaluation/report.h"
+#include "runs/feed.h"
+#include "system/slam.h"
+
+namespace yorb {
+
+/// One line of frames.csv: a colour picture of the list, whatever became of it.
+struct FrameRow {
+  std::string state;   ///< tracking, recently_lost, lost, not_initialized, skipped or dropped
+  FrameRecord record;  ///< only the time stamp counts for skipped and dropped ones
+};
+
+/// The pictures as far as they were worked off: what went in, joined with what came out, by time stamps.
+std::vector<FrameRow> FrameRows(const Dataset& dataset, const std::vector<Fate>& fates,
+                                const std::vector<FrameRecord>& records);
+
+/// frames.csv.
+std::string FramesCsv(const std::vector<FrameRow>& rows);
+
+/// What metrics.json says of a run.
+struct RunMetrics {
+  size_t frames = 0;   ///< colour pictures of the list, as far as the run went
+  size_t tracked = 0;  ///< of these, with a pose confirmed by matches
+  size_t keyframes = 0, landmarks = 0, loops = 0;
+  size_t skipped = 0;  ///< pictures that could not be decoded whole
+  double wall_s = 0, cpu_s = 0, peak_rss_mb = 0;
+  std::map<std::string, std::vector<double>> stage_ms;
+  int64_t seed = 0;
+  std::string mode, config_digest;
+
+  /// Share of the frames that were tracked; NaN without frames.
+  double Coverage() const;
+};
+
+/// metrics.json: strict JSON, with null where nothing can be said.
+std::string MetricsJson(const RunMetrics& metrics);
+
+/// Median, 95 %, maximum and count of each stage, those that every run has first.
+std::vector<ReportStage> StageTimes(const std::map<std::string, std::vector<double>>& stage_ms);
+
+}  // namespace yorb

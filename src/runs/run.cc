@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runs/run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "camera/camera_io.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "core/stopwatch.h"
+#include "core/text.h"
+#include "evaluation/report.h"
+#include "geometry/trajectory.h"
+#include "runs/feed.h"
+#include "runs/resources.h"
+#include "runs/results.h"
+#include "runs/run_folder.h"
+#include "runs/run_report.h"
+#include "system/config_io.h"
+#include "system/slam.h"
+
+namespace yorb {
+namespace {
+
+/// What a run consists of while it goes on.
+struct Run {
+  const Dataset& dataset;
+  const RunOptions& options;
+  std::string out;
+  std::string camera_text;
+  Stopwatch watch;
+  double last_saved_s = 0;
+};
+
+RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& report, size_t num_frames) {
+  RunMetrics metrics;
+  metrics.frames = num_frames;
+  metrics.tracked = report.trajectory.size();
+  metrics.keyframes = report.keyframes.size();
+  metrics.landmarks = report.num_landmarks;
+  metrics.loops = report.num_loops;
+  metrics.skipped = fed.num_skipped;
+  metrics.wall_s = run.watch.seconds();
+  metrics.cpu_s = CpuSeconds();
+  metrics.peak_rss_mb = PeakRssMb();
+  metrics.stage_ms = report.stage_ms;
+  metrics.stage_ms["read"] = fed.read_ms;
+  metrics.seed = run.options.config.seed;
+  metrics.mode = run.options.config.mode;
+  metrics.config_digest = ConfigDigest(run.options.config, run.camera_text);
+  return metrics;
+}
+
+/// Writes all files of the run folder; nothing in it is replaced before all could be written.
+Status Save(const Run& run, const FeedLog& fed, const SlamReport& report) {
+  const std::vector<FrameRow> rows = FrameRows(run.dataset, fed.fates, report.frames);
+  const RunMetrics metrics = MetricsOf(run, fed, report, rows.size());
+  const auto in_folder = [&](const char* name) { return InRunFolder(run.out, name); };
+  return WriteFilesTogether({
+      {in_folder("config.yaml"), ConfigText(run.options.config, run.camera_text)},
+      {in_folder("trajectory.txt"), TumText(report.trajectory)},
+      {in_folder("keyframes.txt"), TumText(report.keyframes)},
+      {in_folder("frames.csv"), FramesCsv(rows)},
+      {in_folder("report.html"), ReportHtml(ReportOf(run.options, metrics, rows, report))},
+      {in_folder("log.txt"), LogText()},
+      {in_folder("metrics.json"), MetricsJson(metrics)},
+  });
+}
+
+/// Saves while the run goes on. A failure is not the end: the disk may have room again by then.
+void SaveNowAndThen(Run& run, const FeedLog& fed, const Slam& slam) {
+  if (run.watch.seconds() < run.last_saved_s + run.options.save_every_s) return;
+  const Status status = Save(run, fed, slam.Report());
+  if (!status) LogWarning("save-failed", status.error().message + "; the run goes on, and writes again at its end");
+  run.last_saved_s = run.watch.seconds();
+}
+
+RunSummary Summarise(const Run& run, const FeedLog& fed, const SlamReport& report) {
+  RunSummary summary;
+  summary.out = run.out;
+  summary.frames = fed.fates.size();
+  summary.tracked = report.trajectory.size();
+  summary.keyframes = report.keyframes.size();
+  summary.landmarks = report.num_landmarks;
+  summary.skipped = fed.num_skipped;
+  for (const Fate fate : fed.fates) summary.dropped += fate == Fate::kDropped;
+  summary.wall_s = run.watch.seconds();
+  summary.was_stopped = fed.was_stopped;
+  summary.error = fed.error;
+  return summary;
+}
+
+void LogSummary(const RunSummary& summary) {
+  const auto share =
+      summary.frames == 0 ? 0.0 : 100.0 * static_cast<double>(summary.tracked) / static_cast<double>(summary.frames);
+  LogInfo(std::string(summary.was_stopped ? "stopped"
+                      : summary.error     ? "broken off"
+                                          : "done") +
+          ": " + std::to_string(summary.tracked) + " of " + std::to_string(summary.frames) + " frames tracked (" +
+          FormatFixed(share, 1) + " %), " + std::to_string(summary.keyframes) + " keyframes, " +
+          std::to_string(summary.landmarks) + " landmarks, " + FormatFixed(summary.wall_s, 1) + " s");
+  if (summary.dropped > 0) LogInfo(std::to_string(summary.dropped) + " frames were dropped because they came too fast");
+  if (summary.error) LogInfo("the reason: " + summary.error->message);
+}
+
+/// A run that ended before its first frame leaves an older one's results alone.
+bool ShouldSave(const Run& run, const FeedLog& fed) {
+  if (!fed.fates.empty()) return true;
+  return !fed.error && !std::filesystem::exists(InRunFolder(run.out, "trajectory.txt"));
+}
+
+/// Everything from the first frame to the last file.
+RunSummary Carry(Run& run, Slam& slam, const RunHooks& hooks) {
+  const size_t num_frames = FramesToFeed(run.dataset, run.options.config);
+  FeedHooks feed_hooks;
+  feed_hooks.should_stop = hooks.should_stop;
+  feed_hooks.after_frame = [&](const FeedLog& fed) {
+    if (hooks.on_progress) hooks.on_progress({std::min(fed.fates.size(), num_frames), num_frames});
+    SaveNowAndThen(run, fed, slam);
+  };
+  const FeedLog fed = Feed(run.dataset, run.options.config, slam, feed_hooks);
+  const SlamReport report = slam.Report();
+  RunSummary summary = Summarise(run, fed, report);
+  SumUpWarnings();
+  LogSummary(summary);
+  if (!ShouldSave(run, fed)) return summary;
+  const Status status = Save(run, fed, report);
+  if (!status) summary.error = status.error();
+  return summary;
+}
+
+}  // namespace
+
+Result<RunSummary> RunSequence(const Dataset& dataset, const RunOptions& options, const RunHooks& hooks) {
+  const Status valid = ValidateConfig(options.config);
+  if (!valid) return valid.error();
+  Run run{dataset, options, options.out, CameraFileText(dataset.rig()), {}};
+  if (options.out.empty()) {
+    auto made = MakeDefaultRunFolder();
+    if (!made) return made.error();
+    run.out = *std::move(made);
+  }
+  const Status usable = PrepareRunFolder(run.out);
+  if (!usable) return usable.error();
+  auto slam = Slam::Create(options.config, dataset.rig());
+  if (!slam) return slam.error();
+  LogInfo("run of " + options.title + ": " + std::to_string(FramesToFeed(dataset, options.config)) + " frames, mode " +
+          options.config.mode + ", seed " + std::to_string(options.config.seed) + ", camera " + dataset.rig().name +
+          ", results in " + run.out);
+  return Carry(run, **slam, hooks);
+}
+
+}  // namespace yorb

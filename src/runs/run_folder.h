@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "core/result.h"
+
+namespace yorb {
+
+/// Makes sure, before any work is done, that results can be written into `folder`: makes it with its parents, and tries
+/// to write. What an older run left in it stays untouched. Bad input where it cannot be used; a failure where the disk
+/// is full.
+Status PrepareRunFolder(const std::string& folder);
+
+/// Makes a new folder "yorb_DATE_TIME" in the current one and gives its name.
+Result<std::string> MakeDefaultRunFolder();
+
+/// The files of a run folder, each with its folder before it.
+std::string InRunFolder(const std::string& folder, const std::string& file);
+
+}  // namespace yorb
