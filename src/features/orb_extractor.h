@@ -16,16 +16,16 @@ namespace yorb {
 
 /// Options of the ORB extractor; YAML group `features`.
 struct FeatureOptions {
-  int wanted = 1000;                     ///< points a picture that tracking gets
-  double over_extraction = 1.0;          ///< how many times `wanted` is extracted, so that enough remain after removal
-  int levels = 8;                        ///< of the pyramid
-  double scale_factor = 1.2;             ///< between levels
-  std::string detector = "adaptive";     ///< fixed: ORB-SLAM2's thresholds; adaptive: equation (3) of the paper
-  std::string distribution = "improved"; ///< quadtree: ORB-SLAM2's; improved: equation (4) of the paper
-  int fast_arc = 9;                      ///< contiguous ring pixels that make a corner: 12 (the paper) or 9 (ORB)
-  int fixed_threshold = 20;              ///< grey levels; detector fixed
-  int fixed_threshold_low = 7;           ///< grey levels, where a cell finds nothing; detector fixed
-  double alpha = 0.7;                    ///< of equation (3); detector adaptive
+  int wanted = 1000;                      ///< points a picture that tracking gets
+  double over_extraction = 1.0;           ///< how many times `wanted` is extracted, so that enough remain after removal
+  int levels = 8;                         ///< of the pyramid
+  double scale_factor = 1.2;              ///< between levels
+  std::string detector = "adaptive";      ///< fixed: ORB-SLAM2's thresholds; adaptive: equation (3) of the paper
+  std::string distribution = "improved";  ///< quadtree: ORB-SLAM2's; improved: equation (4) of the paper
+  int fast_arc = 9;                       ///< contiguous ring pixels that make a corner: 12 (the paper) or 9 (ORB)
+  int fixed_threshold = 20;               ///< grey levels; detector fixed
+  int fixed_threshold_low = 7;            ///< grey levels, where a cell finds nothing; detector fixed
+  double alpha = 0.7;                     ///< of equation (3); detector adaptive
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "features/orb_extractor.h"
+
+#include <cmath>
+
+#include "core/check.h"
+#include "features/adaptive_fast.h"
+#include "features/blur.h"
+#include "features/descriptor.h"
+#include "features/pyramid.h"
+#include "features/quadtree.h"
+
+namespace yorb {
+namespace {
+
+/// How many corners each level gives: in geometric proportion, as the sides of the levels; their sum is the total.
+std::vector<int> SharesOf(const FeatureOptions& options) {
+  const int total = static_cast<int>(std::lround(options.wanted * options.over_extraction));
+  const double ratio = 1 / options.scale_factor;
+  double share = total * (1 - ratio) / (1 - std::pow(ratio, options.levels));
+  std::vector<int> shares;
+  int left = total;
+  for (int level = 0; level + 1 < options.levels; ++level, share *= ratio) {
+    shares.push_back(static_cast<int>(std::lround(share)));
+    left -= shares.back();
+  }
+  shares.push_back(std::max(left, 0));
+  return shares;
+}
+
+CornerOptions CornersOf(const FeatureOptions& options) {
+  CornerOptions corners;
+  corners.is_adaptive = options.detector == "adaptive";
+  corners.high = options.fixed_threshold;
+  corners.low = options.fixed_threshold_low;
+  corners.alpha = options.alpha;
+  corners.arc = options.fast_arc;
+  corners.border = kFeatureBorder;
+  return corners;
+}
+
+}  // namespace
+
+/// What stays from frame to frame, so that nothing is allocated anew.
+struct OrbExtractor::Scratch {
+  Instructions instructions = BestInstructions();
+  std::vector<int> shares;
+  CornerOptions corner_options;
+  Pyramid pyramid;
+  CornerDetector detector;
+  Quadtree quadtree;
+  Blur blur;
+
+  const std::vector<Corner>& CornersOfLevel(const FeatureOptions& options, const GreyView& level, int wanted) {
+    const std::vector<Corner>& found = detector.Detect(level, corner_options, instructions);
+    const int border = corner_options.border;
+    const CornerArea area{border, border, level.width - border, level.height - border};
+    return options.distribution == "quadtree" ? quadtree.KeepBestOfEach(found, area, wanted)
+                                              : quadtree.KeepSinglesAndBest(found, area, wanted);
+  }
+
+  void AddLevel(const std::vector<Corner>& corners, int octave, float scale, Features& features) {
+    if (corners.empty()) return;
+    const GreyView& level = pyramid.Level(octave);
+    const GreyView blurred = blur.Apply(level, instructions);
+    for (const Corner& corner : corners) {
+      Keypoint keypoint;
+      keypoint.x = (static_cast<float>(corner.x) + corner.dx) * scale;
+      keypoint.y = (static_cast<float>(corner.y) + corner.dy) * scale;
+      keypoint.angle_rad = OrientationOf(level, corner.x, corner.y, instructions);
+      keypoint.response = corner.response;
+      keypoint.octave = octave;
+      features.keypoints.push_back(keypoint);
+      features.descriptors.push_back(DescribeAt(blurred, corner.x, corner.y, keypoint.angle_rad, instructions));
+    }
+  }
+};
+
+OrbExtractor::OrbExtractor(const FeatureOptions& options) : options_(options), scratch_(std::make_unique<Scratch>()) {
+  scratch_->shares = SharesOf(options);
+  scratch_->corner_options = CornersOf(options);
+}
+OrbExtractor::~OrbExtractor() = default;
+OrbExtractor::OrbExtractor(OrbExtractor&&) noexcept = default;
+OrbExtractor& OrbExtractor::operator=(OrbExtractor&&) noexcept = default;
+
+Features OrbExtractor::Extract(const cv::Mat& grey) {
+  YORB_CHECK(grey.empty() || grey.type() == CV_8UC1, "the extractor takes 8-bit grey pictures");
+  Features features;
+  const size_t total = static_cast<size_t>(std::lround(options_.wanted * options_.over_extraction));
+  features.keypoints.reserve(total);
+  features.descriptors.reserve(total);
+  const GreyView picture{grey.data, grey.cols, grey.rows, static_cast<ptrdiff_t>(grey.step[0])};
+  scratch_->pyramid.Build(picture, options_.levels, options_.scale_factor, scratch_->instructions);
+  for (int octave = 0; octave < options_.levels; ++octave) {
+    const GreyView& level = scratch_->pyramid.Level(octave);
+    if (level.width <= 2 * kFeatureBorder || level.height <= 2 * kFeatureBorder) break;
+    const float scale = static_cast<float>(std::pow(options_.scale_factor, octave));
+    const std::vector<Corner>& corners =
+        scratch_->CornersOfLevel(options_, level, scratch_->shares[static_cast<size_t>(octave)]);
+    scratch_->AddLevel(corners, octave, scale, features);
+  }
+  return features;
+}
+
+}  // namespace yorb
