@@ -55,6 +55,7 @@ function(yorb_room name)
   add_library(yorb::${name} ALIAS yorb_${name})
   install(TARGETS yorb_${name} EXPORT yorbTargets)
   file(GLOB headers CONFIGURE_DEPENDS *.h)
+  list(FILTER headers EXCLUDE REGEX "/(test_[a-z_]*|[a-z_]*_oracle)\\.h$")  # those are for tests alone
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/yorb/${name})
 
   if(tests AND YORB_TESTS)

@@ -16,7 +16,12 @@ HEADER_LINES, SOURCE_LINES = 150, 400
 CODE = (".h", ".cc")
 LICENSED = CODE + (".py", ".sh", ".cmake", ".txt", ".yaml", ".yml", ".supp")
 LICENSED_NAMES = ("Makefile", "run", ".clang-tidy", ".clang-format")
-TESTS = r".*_test\.cc|tests/.*"
+# Headers that only tests and benchmarks may include: src/*/test_*.h and src/*/*_oracle.h.
+TEST_HEADERS = r"src/\w+/(test_\w+|\w+_oracle)\.h"
+TESTS = r".*_(test|bench)\.cc|tests/.*|" + TEST_HEADERS
+LOCKS = r"src/core/(channel|latest|parallel|prefetch)\.h|src/core/log\.cc|src/system/(pipeline\w*|frame_log)\.(h|cc)|src/viewer/.*"
+LOCKS_STAY = "core/{channel,latest,parallel,prefetch}.h, core/log.cc, system/{pipeline*,frame_log}.*"
+PACING = r"src/runs/feed\.cc"  # the live player keeps the pace of the time stamps
 
 # Third parties and the files that may include them: (what, pattern of the include, pattern of the files, where instead).
 GUESTS = [
@@ -28,25 +33,24 @@ GUESTS = [
     ("nlohmann-json", r"nlohmann/", r"(src/(system|datasets|evaluation|runs|experiments)|apps|tests)/.*",
      "system, datasets, evaluation, runs, experiments, apps"),
     ("CLI11", r"CLI/", r"apps/.*", "apps"),
-    ("Ceres", r"ceres/", r"src/optimize/.*_(test|bench)\.cc", "the tests and benchmarks of optimize (it is an oracle)"),
+    ("Ceres", r"ceres/", r"src/optimize/.*_(test|bench)\.cc|" + TEST_HEADERS, "the tests and benchmarks of optimize (it is an oracle)"),
     ("GoogleTest", r"(gtest|gmock)/", TESTS, "*_test.cc"),
     ("Google Benchmark", r"benchmark/", r".*_bench\.cc|bench/.*", "*_bench.cc"),
     ("threads", r"(mutex|shared_mutex|thread|atomic|condition_variable|future|semaphore|latch|barrier|stop_token|pthread\.h)$",
-     r"src/core/(channel|latest|parallel|prefetch)\.h|src/core/log\.cc|src/system/pipeline[a-z_]*\.(h|cc)|src/viewer/.*|"
-     + TESTS, "core/{channel,latest,parallel,prefetch}.h, core/log.cc, system/pipeline.*"),
+     LOCKS + "|" + PACING + "|" + TESTS, LOCKS_STAY),
 ]
 
-# Words that a library must not say: (pattern, files where it may stand, the complaint).
+# Words that a library (all below src/) must not say: (pattern, files where it may stand, the complaint).
 WORDS = [
     (r"\bstd::(mutex|recursive_mutex|shared_mutex|thread|jthread|atomic\w*|condition_variable\w*|async|future|call_once)\b",
-     GUESTS[-1][2], "threads and locks stay in core/{channel,latest,parallel,prefetch}.h, core/log.cc and system/pipeline.*"),
-    (r"\b(usleep|nanosleep|sleep_for|sleep_until)\b", TESTS + r"|src/runs/.*|src/system/pipeline[a-z_]*\.cc",
+     LOCKS + "|" + TESTS, "threads and locks stay in " + LOCKS_STAY),
+    (r"\b(usleep|nanosleep|sleep_for|sleep_until)\b", PACING + "|" + TESTS,
      "no sleeping and no polling: wait on a Channel (only the live player keeps a pace)"),
-    (r"\bstd::(cout|cerr|clog)\b|\b(std::)?(printf|puts|putchar)\s*\(|\bfprintf\s*\(\s*std(out|err)",
-     r"apps/.*|src/core/(check|log)\.cc|" + TESTS + r"|.*_bench\.cc", "libraries never print: log through core/log.h"),
-    (r"(?<![\w.>])(std::)?(exit|_exit|_Exit|quick_exit|abort)\s*\(", r"apps/.*|src/core/check\.cc|" + TESTS,
+    (r"\bstd::(cout|cerr|clog)\b|\b(printf|puts|putchar)\s*\(|\bfprintf\s*\(\s*std(out|err)",
+     r"src/core/(check|log)\.cc|" + TESTS, "libraries never print: log through core/log.h"),
+    (r"(?<![\w.>])(exit|_exit|_Exit|quick_exit|abort)\s*\(", r"src/core/check\.cc|" + TESTS,
      "libraries never exit: give back a Result, or YORB_CHECK an invariant"),
-    (r"\b(std::)?(secure_)?getenv\s*\(", r"apps/.*|" + TESTS + r"|.*_bench\.cc", "libraries never read the environment"),
+    (r"\b(secure_)?getenv\s*\(", TESTS, "libraries never read the environment"),
     (r"\bstd::(random_device|mt19937\w*|default_random_engine|rand)\b|(?<![\w.:])s?rand\s*\(", TESTS,
      "chance comes from core/random.h, seeded from the config"),
     (r"\b(TODO|FIXME|XXX)\b", r"$^", "no notes to oneself in the sources"),
@@ -103,6 +107,8 @@ def check_include(root, layers, path, name, is_quoted, where):
     if is_quoted and other in layers.line_of:
         if not os.path.exists(os.path.join(root, "src", name)):
             yield f"{where}: src/{name} does not exist"
+        if re.fullmatch(TEST_HEADERS, "src/" + name) and not re.fullmatch(TESTS, path):
+            yield f"{where}: src/{name} is for tests and benchmarks alone"
         if room and not layers.may_include(room, other):
             way = "sideways" if layers.line_of[room] == layers.line_of[other] else "down"
             yield (f"{where}: {room} includes {way} into {other}; move what both need to a room above "
@@ -129,7 +135,7 @@ def check_code(root, layers, path, lines):
         code = without_comments_and_texts(line)
         for pattern, files, complaint in WORDS:
             text = line if "TODO" in pattern else code
-            if re.search(pattern, text) and not re.fullmatch(files, path):
+            if path.startswith("src/") and re.search(pattern, text) and not re.fullmatch(files, path):
                 yield f"{where}: {complaint}"
     limit = HEADER_LINES if path.endswith(".h") else SOURCE_LINES
     if len(lines) > limit:
@@ -226,7 +232,7 @@ def check_tree(root):
             complaints.append(f"{path}:1: the room {room} is not in src/LAYERS; add it where it belongs")
             continue
         complaints += check_code(root, layers, path, lines)
-        kind = "TEST_DEPS" if path.endswith("_test.cc") else "BENCH_DEPS" if path.endswith("_bench.cc") else "DEPS"
+        kind = "TEST_DEPS" if path.endswith("_test.cc") or re.fullmatch(TEST_HEADERS, path) else "BENCH_DEPS" if path.endswith("_bench.cc") else "DEPS"
         for number, line in enumerate(lines, 1):
             include = re.match(r'#include "(\w+)/', line)
             if include and room:
