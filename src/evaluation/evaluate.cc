@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "evaluation/coverage.h"
+
+namespace yorb {
+namespace {
+
+constexpr double kLongestOffset = 4e9;  // seconds; sums with any stamp stay whole
+constexpr double kLongestDifference = 9e9;
+constexpr size_t kLeastPairs = 3;
+constexpr double kManyOdd = 0.05;  // share of odd RPE pairs worth a word
+constexpr double kLongStep = 10;   // seconds between frames: rather counts or another unit
+
+int64_t Nanoseconds(double seconds) { return std::llround(1e9 * seconds); }
+
+std::string RangeText(const std::string& path, const Trajectory& poses, int64_t offset_ns) {
+  return path + " from " + ToString(Timestamp{poses.front().timestamp.ns + offset_ns}) + " to " +
+         ToString(Timestamp{poses.back().timestamp.ns + offset_ns});
+}
+
+double MedianStep(const Trajectory& poses) {
+  std::vector<double> steps;
+  for (size_t i = 1; i < poses.size(); ++i) steps.push_back(SecondsBetween(poses[i - 1].timestamp, poses[i].timestamp));
+  return Quantile(std::move(steps), 0.5);
+}
+
+Error NothingInCommon(const ReadTrajectory& reference, const ReadTrajectory& estimate, const EvalOptions& options) {
+  std::string text = "no time stamps in common within " + FormatShortest(options.max_difference) +
+                     " s: " + RangeText(estimate.path, estimate.poses, Nanoseconds(options.time_offset)) + ", " +
+                     RangeText(reference.path, reference.poses, 0);
+  const bool is_apart =
+      estimate.poses.back().timestamp.ns + Nanoseconds(options.time_offset) < reference.poses.front().timestamp.ns ||
+      reference.poses.back().timestamp.ns < estimate.poses.front().timestamp.ns + Nanoseconds(options.time_offset);
+  if (MedianStep(estimate.poses) > kLongStep || MedianStep(reference.poses) > kLongStep) {
+    text += "; are these seconds?";
+  } else {
+    text += is_apart ? "; another clock? --time-offset S is added to the estimate" : "; see --max-difference";
+  }
+  return BadInput(text);
+}
+
+void WarnOfDegeneracy(Evaluation& evaluation) {
+  const std::string start = evaluation.estimate_path + ": ";
+  switch (evaluation.ate.reference_from_estimate.degeneracy) {
+    case AlignDegeneracy::kOnePlace:
+      evaluation.warnings.push_back(start +
+                                    "estimate or reference stays in one place: the rotation between them (and a scale) "
+                                    "is any, the error is what remains");
+      break;
+    case AlignDegeneracy::kLine:
+      evaluation.warnings.push_back(
+          start + "estimate or reference lies on a line: the rotation about it is any, the error is what remains");
+      break;
+    case AlignDegeneracy::kNone:
+    case AlignDegeneracy::kTooFew:
+      break;
+  }
+}
+
+std::optional<double> CoverageOf(const Trajectory& estimate, const EvalOptions& options, int64_t offset_ns,
+                                 std::vector<std::string>& warnings, const std::string& path) {
+  if (options.pictures) {
+    // The pictures' clock is mostly the estimate's own; where it is the reference's, the offset leads to it.
+    Trajectory shifted = estimate;
+    for (StampedPose& pose : shifted) pose.timestamp.ns += offset_ns;
+    return std::max(yorb::CoverageOf(*options.pictures, estimate), yorb::CoverageOf(*options.pictures, shifted));
+  }
+  if (!options.num_frames) return std::nullopt;
+  if (estimate.size() > *options.num_frames) {
+    warnings.push_back(path + ": " + std::to_string(estimate.size()) + " poses are more than --frames " +
+                       std::to_string(*options.num_frames) + "; coverage counts as 1");
+  }
+  return std::min(1.0, static_cast<double>(estimate.size()) / static_cast<double>(*options.num_frames));
+}
+
+}  // namespace
+
+Status Validate(const EvalOptions& options) {
+  const auto is_positive = [](double value) { return std::isfinite(value) && value > 0; };
+  if (!is_positive(options.rpe_delta)) return BadInput("--rpe-delta must be a finite number above 0");
+  if (!is_positive(options.max_difference))
+    return BadInput("--max-difference must be a finite number of seconds above 0");
+  if (options.max_difference > kLongestDifference) return BadInput("--max-difference must be below 9e9 seconds");
+  if (!(std::abs(options.time_offset) <= kLongestOffset))
+    return BadInput("--time-offset must be a finite number of seconds, at most 4e9");
+  if (options.num_frames && *options.num_frames == 0) return BadInput("--frames must be 1 or more");
+  return Status::Ok();
+}
+
+Result<Evaluation> Evaluate(const ReadTrajectory& reference, const ReadTrajectory& estimate,
+                            const EvalOptions& options) {
+  if (reference.has_stamps != estimate.has_stamps) {
+    return BadInput((reference.has_stamps ? estimate : reference).path +
+                    " has rows without time stamps, which cannot be paired with stamped poses");
+  }
+  const int64_t offset_ns = Nanoseconds(options.time_offset);
+  Evaluation result;
+  result.estimate_path = estimate.path;
+  result.estimate = estimate.poses;
+  result.warnings = estimate.warnings;
+  result.pairs = AssociateStamps(StampsOf(reference.poses), StampsOf(estimate.poses, offset_ns),
+                                 Nanoseconds(options.max_difference));
+  if (result.pairs.empty()) return NothingInCommon(reference, estimate, options);
+  if (result.pairs.size() < kLeastPairs) {
+    return BadInput(estimate.path + ": only " + std::to_string(result.pairs.size()) + " of " +
+                    std::to_string(estimate.poses.size()) + " poses could be paired with " + reference.path +
+                    "; an alignment needs 3 or more");
+  }
+  result.ate = ComputeAbsoluteError(reference.poses, estimate.poses, result.pairs, options.align);
+  WarnOfDegeneracy(result);
+  const RpeOptions rpe{options.rpe_delta, options.rpe_unit, result.ate.reference_from_estimate.scale, offset_ns};
+  result.rpe = ComputeRelativeError(reference.poses, estimate.poses, rpe);
+  if (static_cast<double>(result.rpe.num_odd) > kManyOdd * static_cast<double>(result.rpe.translation.size())) {
+    result.warnings.push_back(estimate.path + ": " + std::to_string(result.rpe.num_odd) + " of " +
+                              std::to_string(result.rpe.translation.size()) +
+                              " RPE pairs are far from the wanted delta apart, at gaps between the poses");
+  }
+  result.coverage = CoverageOf(estimate.poses, options, offset_ns, result.warnings, estimate.path);
+  for (const StampedPose& pose : estimate.poses) {
+    result.aligned.push_back(
+        {Timestamp{pose.timestamp.ns + offset_ns}, result.ate.reference_from_estimate * pose.world_from_cam});
+  }
+  return result;
+}
+
+}  // namespace yorb
