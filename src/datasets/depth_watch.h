@@ -10,6 +10,9 @@
 
 namespace yorb {
 
+/// Looks at a grid of pixels of a depth picture.
+DepthGlance GlanceAt(const DepthImage& depth);
+
 /// Watches the depth that a run reads and warns, once each, where it cannot be meant: a depth factor under which the
 /// scene is nearer than 0.1 m or farther than 30 m, and a sequence without any depth. Fed by whoever loads the frames:
 /// Add after each Load, Conclude at the end.

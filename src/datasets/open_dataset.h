@@ -18,4 +18,22 @@ Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const st
 /// The built-in camera that a folder's own name stands for (`rgbd_dataset_freiburg1_xyz` is tum_fr1); empty if none.
 std::string CameraOfFolderName(const std::string& folder);
 
+/// The camera of a recording as its file has it, and how it was chosen.
+struct ChosenCamera {
+  Rig rig;
+  std::string how;        ///< "as given", "the folder's camera.yaml", "by the folder's name"
+  bool is_given = false;  ///< by the user or a file in the folder, not by a name alone
+};
+Result<ChosenCamera> ChooseCamera(const std::string& folder, const std::string& camera);
+
+/// The camera for pictures of this size; warns where it had to be scaled. A camera known by the folder's name alone
+/// must fit as it is.
+Result<Rig> FitChosenCamera(const ChosenCamera& chosen, int width, int height);
+
+/// OpenDataset with a camera that is chosen already.
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const ChosenCamera& chosen);
+
+/// Bad input unless the folder is one and has a layout that is read; the complaint says what it looks like.
+Status CheckLayout(const std::string& folder);
+
 }  // namespace yorb

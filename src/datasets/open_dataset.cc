@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/open_dataset.h"
+
+#include <cmath>
+#include <filesystem>
+#include <regex>
+#include <vector>
+
+#include "camera/builtin_cameras.h"
+#include "camera/camera_io.h"
+#include "core/log.h"
+#include "core/text.h"
+#include "datasets/associate.h"
+#include "datasets/picture_file.h"
+#include "datasets/tum.h"
+
+namespace yorb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kSameFocalLength = 0.01;  // calibrations of one camera differ by less
+
+/// What a folder without lists of ours may be, for a helpful complaint.
+std::string HintAt(const std::string& folder) {
+  std::error_code ignored;
+  if (fs::exists(fs::path(folder) / "mav0", ignored)) return "; it looks like a EuRoC recording, which is not read yet";
+  if (fs::exists(fs::path(folder) / "image_0", ignored) || fs::exists(fs::path(folder) / "image_2", ignored)) {
+    return "; it looks like a KITTI recording, which is not read yet";
+  }
+  std::string inner;
+  for (fs::directory_iterator at(folder, ignored), end; !ignored && at != end; at.increment(ignored)) {
+    if (at->is_directory(ignored) && HasTumLayout(at->path().string())) inner = at->path().string();
+  }
+  return inner.empty() ? "" : "; did you mean " + inner + "?";
+}
+
+/// A warning where the folder says one camera and another is used: the classic mistake of a copied command line.
+void CompareWithFolderName(const std::string& folder, const Rig& rig) {
+  const std::string named = CameraOfFolderName(folder);
+  if (named.empty()) return;
+  const auto expected = ReadCamera(named);
+  if (!expected || std::abs(rig.camera.fx / expected->camera.fx - 1) < kSameFocalLength) return;
+  LogWarning("camera", "the folder's name stands for camera " + named + ", but camera " + rig.name +
+                           " with another focal length is used");
+}
+
+/// The first depth pictures must be depth; later ones are looked at as they come.
+Status CheckFirstDepth(const TumLists& lists, const Rig& rig) {
+  constexpr size_t kTried = 5;
+  size_t num_tried = 0;
+  for (const ListedPicture& listed : lists.depth.pictures) {
+    if (++num_tried > kTried) break;
+    const StoredPicture stored = ReadPictureFile(listed.path);
+    if (!stored.fault.empty()) continue;
+    const Status kind = CheckDepth(stored.pixels, {rig.camera.width, rig.camera.height}, listed.path);
+    if (!kind) return kind;
+    if (stored.pixels.depth() == CV_16U && rig.depth_factor <= 0) return UnknownDepthFactor(rig, listed.path);
+    break;
+  }
+  return Status::Ok();
+}
+
+}  // namespace
+
+std::string CameraOfFolderName(const std::string& folder) {
+  static const std::regex tum("(rgbd_dataset_)?freiburg([123])(_.*)?");
+  std::error_code ignored;
+  const fs::path given = fs::absolute(folder, ignored).lexically_normal();
+  for (const fs::path& path : {given, fs::weakly_canonical(given, ignored)}) {
+    const std::string name = (path.has_filename() ? path : path.parent_path()).filename().string();
+    std::smatch match;
+    if (std::regex_match(name, match, tum)) return "tum_fr" + match[2].str();
+  }
+  return "";
+}
+
+Status CheckLayout(const std::string& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return BadInput("folder " + folder + " does not exist");
+  if (!fs::is_directory(folder, ignored)) {
+    return BadInput(folder + " is a file; give the folder of the recording (unpack archives first)");
+  }
+  if (HasTumLayout(folder)) return Status::Ok();
+  return BadInput(folder + " holds neither rgb.txt (with depth.txt) nor associations.txt" + HintAt(folder));
+}
+
+Result<ChosenCamera> ChooseCamera(const std::string& folder, const std::string& camera) {
+  ChosenCamera chosen;
+  std::string source = camera;
+  std::error_code ignored;
+  if (!source.empty()) {
+    chosen.how = "as given";
+    chosen.is_given = true;
+  }
+  for (const char* name : {"camera.yaml", "camera.yml"}) {
+    const fs::path file = fs::path(folder) / name;
+    if (!source.empty() || !fs::exists(file, ignored)) continue;
+    source = file.string();
+    chosen.how = std::string("the folder's ") + name;
+    chosen.is_given = true;
+  }
+  if (source.empty()) {
+    source = CameraOfFolderName(folder);
+    chosen.how = "by the folder's name";
+  }
+  if (source.empty()) {
+    std::string known;
+    for (const std::string& name : BuiltinCameraNames()) known += (known.empty() ? "" : ", ") + name;
+    return BadInput("which camera took " + folder + " does not show in it: give --camera FILE or NAME (known names: " +
+                    known + "), or put a camera.yaml into the folder");
+  }
+  auto rig = ReadCamera(source);
+  if (!rig) return rig.error();
+  chosen.rig = std::move(*rig);
+  return chosen;
+}
+
+Result<Rig> FitChosenCamera(const ChosenCamera& chosen, int width, int height) {
+  auto fitted = FitToPictures(chosen.rig, width, height);
+  if (!fitted) return fitted.error();
+  if (!fitted->was_scaled) return fitted->rig;
+  const Pinhole& camera = chosen.rig.camera;
+  const std::string sizes = SizeText({camera.width, camera.height}) + ", the pictures are " + SizeText({width, height});
+  if (!chosen.is_given) {
+    return BadInput("the folder's name stands for camera " + chosen.rig.name + " with pictures of " + sizes +
+                    ": give --camera for the pictures as they are");
+  }
+  LogWarning("camera-scaled", "camera " + chosen.rig.name + " is for pictures of " + sizes +
+                                  "; it is scaled to them, which is right if they were resized and not cropped");
+  return fitted->rig;
+}
+
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const std::string& camera) {
+  if (const Status layout = CheckLayout(folder); !layout) return layout.error();
+  const auto chosen = ChooseCamera(folder, camera);
+  if (!chosen) return chosen.error();
+  return OpenDataset(folder, *chosen);
+}
+
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const ChosenCamera& chosen) {
+  if (const Status layout = CheckLayout(folder); !layout) return layout.error();
+  auto lists = ReadTumLists(folder);
+  if (!lists) return lists.error();
+  if (const Status files = LookForFiles(*lists); !files) return files.error();
+  const auto first = ReadFirstPicture(lists->colour.pictures);
+  if (!first) return first.error();
+  const auto usable = ToColourAndGrey(first->pixels, lists->colour.pictures[first->index].path);
+  if (!usable) return usable.error();
+  auto rig = FitChosenCamera(chosen, first->pixels.cols, first->pixels.rows);
+  if (!rig) return rig.error();
+  const double step = MedianStep(lists->colour.Times());
+  if (rig->fps <= 0) rig->fps = step > 0 ? 1 / step : 30;
+  if (const Status depth = CheckFirstDepth(*lists, *rig); !depth) return depth.error();
+  CompareWithFolderName(folder, chosen->rig);
+  LogInfo(folder + ": " + std::to_string(lists->depth_of.size()) + " colour pictures of " +
+          SizeText(first->pixels.size()) + (step > 0 ? " at " + FormatFixed(1 / step, 1) + " Hz" : "") + ", " +
+          std::to_string(lists->NumWithDepth()) + " with depth; camera " + rig->name + " (" + chosen.how + ")");
+  return MakeTumDataset(std::move(*lists), std::move(*rig));
+}
+
+}  // namespace yorb

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "core/result.h"
+
+namespace yorb {
+
+/// A picture as its file stores it, or the reason why it cannot be read whole.
+struct StoredPicture {
+  cv::Mat pixels;     ///< any type; empty where there is a fault
+  std::string fault;  ///< "is cut short" and the like; empty where all is well
+};
+
+/// Reads and decodes a picture file. Decoders fill what is missing of a cut JPEG with grey and call it a success, so
+/// the end of JPEG and PNG files is looked for first.
+StoredPicture ReadPictureFile(const std::string& path);
+
+/// Why the bytes are no whole picture of their kind, as far as it shows without decoding; empty for formats that are
+/// not looked into.
+std::string FaultOfPictureBytes(const std::string& bytes);
+
+/// A picture as features and detectors want it.
+struct ColourAndGrey {
+  cv::Mat colour;  ///< CV_8UC3, BGR; empty for a grey source
+  cv::Mat grey;    ///< CV_8UC1
+};
+
+/// 8-bit or 16-bit grey, colour, or colour with transparency; 16 bits are scaled to 8. Bad input for anything else.
+Result<ColourAndGrey> ToColourAndGrey(const cv::Mat& stored, const std::string& path);
+
+/// Bad input unless this is depth: 16-bit or 32-bit float with one channel, of the size of the colour picture.
+Status CheckDepth(const cv::Mat& stored, const cv::Size& colour_size, const std::string& path);
+
+/// "640x480".
+std::string SizeText(const cv::Size& size);
+
+}  // namespace yorb

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "camera/rig.h"
+#include "core/result.h"
+#include "datasets/dataset.h"
+#include "datasets/picture_list.h"
+
+namespace yorb {
+
+/// The lists of a recording in TUM's layout, joined.
+struct TumLists {
+  std::string folder;
+  PictureList colour, depth;
+  std::vector<int> depth_of;    ///< for each colour picture its depth picture, or -1
+  bool are_associated = false;  ///< read from associations.txt, which wins over rgb.txt and depth.txt
+
+  size_t NumWithDepth() const;
+};
+
+/// Whether a folder has lists of TUM's layout.
+bool HasTumLayout(const std::string& folder);
+
+/// Reads and joins the lists. Bad input where a list is wrong, and where no colour picture has a depth picture near.
+Result<TumLists> ReadTumLists(const std::string& folder);
+
+/// Bad input that names the first listed file that is not there, and counts the others.
+Status LookForFiles(const TumLists& lists);
+
+/// The first picture that can be decoded whole, and its index; bad input where there is none.
+struct FirstPicture {
+  size_t index = 0;
+  cv::Mat pixels;
+};
+Result<FirstPicture> ReadFirstPicture(const std::vector<ListedPicture>& pictures);
+
+/// What to say where a 16-bit depth picture meets a camera without a depth factor.
+Error UnknownDepthFactor(const Rig& rig, const std::string& picture);
+
+/// Makes the dataset. `rig` must fit the pictures.
+std::unique_ptr<Dataset> MakeTumDataset(TumLists lists, Rig rig);
+
+}  // namespace yorb
