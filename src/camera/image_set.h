@@ -12,8 +12,8 @@ namespace yorb {
 /// Depth as the sensor delivers it: 16-bit units (0 and 65535: not measured) or 32-bit float metres; registered to the
 /// colour picture and of its size. May be empty: a frame without depth.
 struct DepthImage {
-  cv::Mat pixels;               ///< CV_16UC1 or CV_32FC1
-  double metres_per_unit = 1;   ///< 1 / depth factor for 16-bit pixels, not used for float ones
+  cv::Mat pixels;              ///< CV_16UC1 or CV_32FC1
+  double metres_per_unit = 1;  ///< 1 / depth factor for 16-bit pixels, not used for float ones
 
   bool empty() const { return pixels.empty(); }
 
@@ -31,8 +31,8 @@ struct DepthImage {
 /// What a camera delivers at one moment. Moved from hand to hand; the pixels are never written again.
 struct ImageSet {
   Timestamp timestamp;
-  cv::Mat grey;      ///< CV_8UC1
-  cv::Mat colour;    ///< CV_8UC3, BGR; empty where the source is grey
+  cv::Mat grey;    ///< CV_8UC1
+  cv::Mat colour;  ///< CV_8UC3, BGR; empty where the source is grey
   DepthImage depth;
 };
 

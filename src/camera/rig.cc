@@ -19,7 +19,8 @@ bool Pinhole::HasDistortion() const {
 std::vector<Eigen::Vector2f> Pinhole::Undistort(const std::vector<Eigen::Vector2f>& distorted_px) const {
   if (!HasDistortion() || distorted_px.empty()) return distorted_px;
   std::vector<Eigen::Vector2f> ideal(distorted_px.size());
-  const cv::Mat in(static_cast<int>(distorted_px.size()), 1, CV_32FC2, const_cast<Eigen::Vector2f*>(distorted_px.data()));
+  const cv::Mat in(static_cast<int>(distorted_px.size()), 1, CV_32FC2,
+                   const_cast<Eigen::Vector2f*>(distorted_px.data()));
   cv::Mat out(in.rows, 1, CV_32FC2, ideal.data());
   // More rounds than OpenCV's five: strong rational lenses have not settled by then.
   const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 20, 1e-4);

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <utility>
 #include <sstream>
+#include <utility>
 
 #include "core/text.h"
 

@@ -10,7 +10,8 @@ namespace yorb {
 /// its own from the config's seed and a frame id and never from the clock.
 class Random {
  public:
-  explicit Random(uint64_t seed, uint64_t stream = 0) : state_(seed * 0x9e3779b97f4a7c15ull ^ (stream + 1) * 0xd1342543de82ef95ull) {
+  explicit Random(uint64_t seed, uint64_t stream = 0)
+      : state_(seed * 0x9e3779b97f4a7c15ull ^ (stream + 1) * 0xd1342543de82ef95ull) {
     Next();
   }
 

@@ -32,7 +32,8 @@ struct TextFile {
 /// holds zero bytes (is no text).
 Result<std::string> ReadWholeText(const std::string& path);
 
-/// Reads a text file line by line. Bad input when it is missing, a folder, unreadable, or holds zero bytes (is no text).
+/// Reads a text file line by line. Bad input when it is missing, a folder, unreadable, or holds zero bytes (is no
+/// text).
 Result<TextFile> ReadTextFile(const std::string& path);
 
 /// `text` without blanks, tabs and line ends at both ends.

@@ -20,8 +20,8 @@ using FrameId = Id<Frame>;
 /// The scales of the pyramid, the same for all frames of a run.
 struct ScaleTable {
   double factor = 1.2;
-  std::vector<float> scale;                ///< factor^level
-  std::vector<float> inverse_variance;     ///< scale^-2: how sure a keypoint of that level is, in 1/px^2
+  std::vector<float> scale;             ///< factor^level
+  std::vector<float> inverse_variance;  ///< scale^-2: how sure a keypoint of that level is, in 1/px^2
 
   ScaleTable() = default;
   ScaleTable(int levels, double scale_factor);
@@ -37,12 +37,12 @@ struct Frame {
   std::shared_ptr<const ScaleTable> scales;
   PixelBounds bounds;
 
-  std::vector<Keypoint> keypoints;           ///< in the picture as it is
-  std::vector<Eigen::Vector2f> points_px;    ///< the same, undistorted
-  std::vector<float> depth;                  ///< metres along z; 0 where not measured
-  std::vector<float> right_px;               ///< x in the virtual right picture; NaN where no depth
+  std::vector<Keypoint> keypoints;         ///< in the picture as it is
+  std::vector<Eigen::Vector2f> points_px;  ///< the same, undistorted
+  std::vector<float> depth;                ///< metres along z; 0 where not measured
+  std::vector<float> right_px;             ///< x in the virtual right picture; NaN where no depth
   std::vector<Descriptor> descriptors;
-  Grid grid;                                 ///< over points_px
+  Grid grid;  ///< over points_px
 
   size_t size() const { return keypoints.size(); }
   bool HasDepth(size_t index) const { return depth[index] > 0; }
@@ -51,7 +51,9 @@ struct Frame {
   Eigen::Vector3d PointInCam(size_t index) const {
     return rig->camera.Unproject(points_px[index].x(), points_px[index].y(), depth[index]);
   }
-  float InverseVariance(size_t index) const { return scales->inverse_variance[static_cast<size_t>(keypoints[index].octave)]; }
+  float InverseVariance(size_t index) const {
+    return scales->inverse_variance[static_cast<size_t>(keypoints[index].octave)];
+  }
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

@@ -40,7 +40,7 @@ class Grid {
 
   PixelBounds bounds_;
   int columns_ = 0, rows_ = 0;
-  std::vector<uint32_t> starts_;   ///< of each cell in indices_, row by row, and one past the last
+  std::vector<uint32_t> starts_;  ///< of each cell in indices_, row by row, and one past the last
   std::vector<uint32_t> indices_;
 };
 

@@ -5,9 +5,9 @@
 // Runs on: whichever thread calls. May not: know pictures, maps or files.
 #pragma once
 
-#include <cmath>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace yorb {
 

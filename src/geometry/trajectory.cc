@@ -14,7 +14,8 @@ std::string TumText(const Trajectory& trajectory) {
     const Eigen::Vector3d& t = pose.world_from_cam.translation;
     const Eigen::Quaterniond& q = pose.world_from_cam.rotation;
     text += ToString(pose.timestamp);
-    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) text += ' ' + FormatFixed(value, kDecimals);
+    for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()})
+      text += ' ' + FormatFixed(value, kDecimals);
     text += '\n';
   }
   return text;

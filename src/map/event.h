@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "features/frame.h"
 #include "geometry/rigid3.h"
@@ -31,17 +31,32 @@ struct FrameRecord {
   FrameId id;
   Timestamp timestamp;
   TrackingState state = TrackingState::kNotInitialized;
-  KeyframeId reference;         ///< valid where the pose is confirmed (state kTracking)
+  KeyframeId reference;  ///< valid where the pose is confirmed (state kTracking)
   Rigid3 cam_from_reference;
   int num_extracted = 0;
-  int num_static = 0;           ///< left to the tracker
-  int num_removed = 0;          ///< as dynamic
-  int num_given_back = 0;       ///< inside a box and yet static
+  int num_static = 0;      ///< left to the tracker
+  int num_removed = 0;     ///< as dynamic
+  int num_given_back = 0;  ///< inside a box and yet static
   int num_matched = 0;
   int num_inliers = 0;
   bool is_keyframe = false;
   double extract_ms = 0, detect_ms = 0, remove_ms = 0, track_ms = 0;
-  double frame_total_ms = 0;    ///< from the start of extraction to the pose, without waiting in queues
+  double frame_total_ms = 0;  ///< from the start of extraction to the pose, without waiting in queues
+};
+
+/// How often the tracker expected and found a landmark since it last said so.
+struct LandmarkCount {
+  LandmarkId id;
+  int visible = 0, found = 0;
+};
+
+/// What the tracker asks of the map: this frame should be a keyframe. The tracker itself writes nothing.
+struct Proposal {
+  FramePtr frame;
+  KeyframeId reference;  ///< not valid: the map begins with this frame
+  Rigid3 cam_from_reference;
+  std::vector<LandmarkId> matches;  ///< a row a keypoint; inliers only
+  std::vector<LandmarkCount> counts;
 };
 
 }  // namespace yorb

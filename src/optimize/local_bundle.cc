@@ -41,7 +41,8 @@ std::vector<KeyframeId> Surrounding(const Map& map, const std::vector<LandmarkId
   for (const KeyframeId id : moving) counts.erase(id);
   std::vector<Neighbour> order;
   for (const auto& [id, count] : counts) order.push_back({id, count});
-  std::stable_sort(order.begin(), order.end(), [](const Neighbour& a, const Neighbour& b) { return a.weight > b.weight; });
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Neighbour& a, const Neighbour& b) { return a.weight > b.weight; });
   std::vector<KeyframeId> ids;
   for (size_t i = 0; i < std::min(max_fixed, order.size()); ++i) ids.push_back(order[i].id);
   return ids;
@@ -50,7 +51,8 @@ std::vector<KeyframeId> Surrounding(const Map& map, const std::vector<LandmarkId
 NamedProblem Collect(const Map& map, KeyframeId center, const LocalBundleOptions& options) {
   NamedProblem named;
   std::vector<KeyframeId> moving = {center};
-  for (const KeyframeId id : map.Find(center)->Strongest(options.max_moving - 1, options.min_shared)) moving.push_back(id);
+  for (const KeyframeId id : map.Find(center)->Strongest(options.max_moving - 1, options.min_shared))
+    moving.push_back(id);
   named.landmarks = LandmarksOf(map, moving);
   const std::vector<KeyframeId> fixed = Surrounding(map, named.landmarks, moving, options.max_fixed);
 

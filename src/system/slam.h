@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Room: system. Wires the stages into one river; the public door.
-// Takes: Config, Rig, ImageSets. Gives: FrameRecords, map snapshots, the trajectory. Owns: threads, channels, the log of
-// frames. Runs on: the caller's thread and, but for inline mode, its own. May not: read pictures or write results.
+// Takes: Config, Rig, ImageSets. Gives: FrameRecords, map snapshots, the trajectory. Owns: threads, channels, the log
+// of frames. Runs on: the caller's thread and, but for inline mode, its own. May not: read pictures or write results.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,15 @@
 namespace yorb {
 
 class Map;
+class Pipeline;
 using MapSnapshot = std::shared_ptr<const Map>;
 
 /// What a run has come to so far.
 struct SlamReport {
-  std::vector<FrameRecord> frames;                          ///< in the order of time, one a pushed picture that was not dropped
-  std::map<std::string, std::vector<double>> stage_ms;      ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
-  Trajectory trajectory;                                    ///< confirmed frames, world_from_cam by the newest map
+  std::vector<FrameRecord> frames;  ///< in the order of time, one a pushed picture that was not dropped
+  std::map<std::string, std::vector<double>>
+      stage_ms;           ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
+  Trajectory trajectory;  ///< confirmed frames, world_from_cam by the newest map
   Trajectory keyframes;
   size_t num_landmarks = 0;
   size_t num_loops = 0;
@@ -58,9 +61,11 @@ class Slam {
   size_t NumFramesDone() const;
 
  private:
-  struct Pipeline;
-  explicit Slam(std::unique_ptr<Pipeline> pipeline);
+  Slam(const Config& config, const Rig& rig);
+
   std::unique_ptr<Pipeline> pipeline_;
+  int width_ = 0, height_ = 0;
+  std::optional<Timestamp> newest_;
 };
 
 }  // namespace yorb

@@ -8,11 +8,29 @@ namespace yorb {
 
 /// Options of the tracker; YAML group `tracking`.
 struct TrackingOptions {
-  double lost_after_s = 0.5;   ///< without a confirmed pose for so long, "recently lost" becomes "lost"
+  double lost_after_s = 0.5;         ///< without a confirmed pose for so long, "recently lost" becomes "lost"
+  int min_first_points = 100;        ///< points with depth that a first keyframe needs
+  int min_inliers = 30;              ///< matched landmarks that confirm a pose
+  int min_inliers_after_loss = 50;   ///< the same, shortly after tracking was lost
+  double search_radius_px = 15;      ///< about the predicted place of a point of the frame before, at octave 0
+  double local_widening = 3;         ///< of the search for landmarks of the local map
+  int max_local_keyframes = 80;      ///< whose landmarks are sought in each frame
+  double keyframe_ratio = 0.75;      ///< a keyframe is due when fewer of the reference's landmarks are still matched
+  double keyframe_interval_s = 1.0;  ///< and at the latest after so long
+  double relocalize_radius_px = 30;  ///< search about a coarse pose
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
     visit("lost_after_s", self.lost_after_s, Range(0, 60));
+    visit("min_first_points", self.min_first_points, Range(10, 20000));
+    visit("min_inliers", self.min_inliers, Range(6, 1000));
+    visit("min_inliers_after_loss", self.min_inliers_after_loss, Range(6, 1000));
+    visit("search_radius_px", self.search_radius_px, Range(1, 200));
+    visit("local_widening", self.local_widening, Range(0.5, 20));
+    visit("max_local_keyframes", self.max_local_keyframes, Range(1, 1000));
+    visit("keyframe_ratio", self.keyframe_ratio, Range(0, 1));
+    visit("keyframe_interval_s", self.keyframe_interval_s, Range(0, 3600));
+    visit("relocalize_radius_px", self.relocalize_radius_px, Range(1, 200));
   }
 };
 

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "features/frame.h"
+#include "map/event.h"
+
+namespace yorb {
+
+/// Another keyframe, and how many landmarks both see.
+struct Neighbour {
+  KeyframeId id;
+  int weight = 0;
+};
+
+/// A frame that the map keeps. Written by Map's methods only.
+struct Keyframe {
+  KeyframeId id;
+  FramePtr frame;
+  Rigid3 cam_from_world;
+  std::vector<LandmarkId> landmarks;  ///< a row a keypoint of the frame; not valid where nothing is known of it
+  std::vector<Neighbour> neighbours;  ///< by ascending id; always the true counts
+  KeyframeId parent;                  ///< in the spanning tree; not valid for the first keyframe
+  std::vector<KeyframeId> children;
+
+  /// The neighbours that share at least `min_weight` landmarks, the strongest first, `count` at most.
+  std::vector<KeyframeId> Strongest(size_t count, int min_weight) const;
+};
+
+}  // namespace yorb

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "map/map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "features/hamming.h"
+
+namespace yorb {
+namespace {
+
+template <typename Views>
+auto ViewAt(Views& views, KeyframeId keyframe) {
+  return std::lower_bound(views.begin(), views.end(), keyframe,
+                          [](const LandmarkView& view, KeyframeId id) { return view.keyframe < id; });
+}
+
+template <typename Neighbours>
+auto NeighbourAt(Neighbours& neighbours, KeyframeId id) {
+  return std::lower_bound(neighbours.begin(), neighbours.end(), id,
+                          [](const Neighbour& neighbour, KeyframeId wanted) { return neighbour.id < wanted; });
+}
+
+/// The row whose median distance to the others is least.
+size_t MostTypical(const std::vector<Descriptor>& descriptors) {
+  const size_t n = descriptors.size();
+  if (n < 3) return 0;
+  std::vector<int> distances(n * n, 0);
+  for (size_t i = 0; i < n; ++i) {
+    for (size_t j = i + 1; j < n; ++j) {
+      distances[i * n + j] = distances[j * n + i] = HammingDistance(descriptors[i], descriptors[j]);
+    }
+  }
+  size_t best = 0;
+  int best_median = 257;
+  for (size_t i = 0; i < n; ++i) {
+    const auto row = distances.begin() + static_cast<std::ptrdiff_t>(i * n);
+    const auto middle = row + static_cast<std::ptrdiff_t>((n - 1) / 2);
+    std::nth_element(row, middle, row + static_cast<std::ptrdiff_t>(n));
+    if (*middle < best_median) {
+      best_median = *middle;
+      best = i;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+const char* ToString(TrackingState state) {
+  switch (state) {
+    case TrackingState::kNotInitialized:
+      return "not_initialized";
+    case TrackingState::kTracking:
+      return "tracking";
+    case TrackingState::kRecentlyLost:
+      return "recently_lost";
+    case TrackingState::kLost:
+      return "lost";
+  }
+  return "lost";
+}
+
+std::vector<KeyframeId> Keyframe::Strongest(size_t count, int min_weight) const {
+  std::vector<Neighbour> strong;
+  for (const Neighbour& n : neighbours) {
+    if (n.weight >= min_weight) strong.push_back(n);
+  }
+  const size_t kept = std::min(count, strong.size());
+  std::partial_sort(strong.begin(), strong.begin() + static_cast<std::ptrdiff_t>(kept), strong.end(),
+                    [](const Neighbour& a, const Neighbour& b) {
+                      return a.weight != b.weight ? a.weight > b.weight : b.id < a.id;  // of equals the newer
+                    });
+  std::vector<KeyframeId> ids;
+  for (size_t i = 0; i < kept; ++i) ids.push_back(strong[i].id);
+  return ids;
+}
+
+const LandmarkView* Landmark::ViewOf(KeyframeId keyframe) const {
+  const auto view = ViewAt(views, keyframe);
+  return view != views.end() && view->keyframe == keyframe ? &*view : nullptr;
+}
+
+int Landmark::PredictedOctave(double distance, const ScaleTable& scales) const {
+  const double level = std::ceil(std::log(max_distance / distance) / std::log(scales.factor));
+  return static_cast<int>(std::clamp(level, 0.0, static_cast<double>(scales.levels() - 1)));
+}
+
+LandmarkId Map::Resolve(LandmarkId id) const {
+  for (auto next = merged_into_.find(id); next != merged_into_.end(); next = merged_into_.find(id)) id = next->second;
+  return id;
+}
+
+std::optional<Rigid3> Map::CamFromWorld(KeyframeId id) const {
+  Rigid3 cam_from_ancestor;
+  for (auto gone = removed_.find(id); gone != removed_.end(); gone = removed_.find(id)) {
+    cam_from_ancestor = cam_from_ancestor * gone->second.cam_from_parent_cam;
+    id = gone->second.parent;
+  }
+  const Keyframe* keyframe = Find(id);
+  if (!keyframe) return std::nullopt;
+  return cam_from_ancestor * keyframe->cam_from_world;
+}
+
+KeyframeId Map::Surviving(KeyframeId id) const {
+  for (auto gone = removed_.find(id); gone != removed_.end(); gone = removed_.find(id)) id = gone->second.parent;
+  return id;
+}
+
+MapSnapshot Map::Snapshot() {
+  auto snapshot = std::make_shared<Map>();
+  snapshot->keyframes_ = keyframes_.Share();
+  snapshot->landmarks_ = landmarks_.Share();
+  snapshot->removed_ = removed_;
+  snapshot->merged_into_ = merged_into_;
+  snapshot->newest_keyframe_ = newest_keyframe_;
+  return snapshot;
+}
+
+KeyframeId Map::AddKeyframe(FramePtr frame, const Rigid3& cam_from_world, KeyframeId parent) {
+  Keyframe keyframe;
+  keyframe.id = keyframes_.next_id();
+  keyframe.cam_from_world = cam_from_world;
+  keyframe.landmarks.resize(frame->size());
+  keyframe.frame = std::move(frame);
+  newest_keyframe_ = keyframes_.Add(std::move(keyframe));
+  if (parent.IsValid()) SetParent(newest_keyframe_, parent);
+  return newest_keyframe_;
+}
+
+LandmarkId Map::AddLandmark(const Eigen::Vector3d& x_in_world, KeyframeId keyframe, uint32_t index) {
+  Landmark landmark;
+  landmark.id = landmarks_.next_id();
+  landmark.position = x_in_world;
+  landmark.reference = landmark.first_keyframe = keyframe;
+  landmark.num_visible = landmark.num_found = 1;
+  const LandmarkId id = landmarks_.Add(std::move(landmark));
+  YORB_CHECK(Observe(id, keyframe, index), "a new landmark needs a keypoint without one");
+  Refresh(id);
+  return id;
+}
+
+bool Map::Observe(LandmarkId landmark, KeyframeId keyframe, uint32_t index) {
+  const Landmark* seen = Find(landmark);
+  const Keyframe* by = Find(keyframe);
+  YORB_CHECK(seen && by && index < by->landmarks.size(), "both ends of an observation must be there");
+  if (by->landmarks[index].IsValid() || seen->ViewOf(keyframe)) return false;
+  for (const LandmarkView& view : seen->views) Link(view.keyframe, keyframe, +1);
+  keyframes_.Writable(keyframe).landmarks[index] = landmark;
+  auto& views = landmarks_.Writable(landmark).views;
+  views.insert(ViewAt(views, keyframe), LandmarkView{keyframe, index});
+  return true;
+}
+
+void Map::Unobserve(LandmarkId landmark, KeyframeId keyframe) {
+  Landmark& seen = landmarks_.Writable(landmark);
+  const auto view = ViewAt(seen.views, keyframe);
+  YORB_CHECK(view != seen.views.end() && view->keyframe == keyframe, "a view that is taken away must be there");
+  keyframes_.Writable(keyframe).landmarks[view->index] = LandmarkId();
+  seen.views.erase(view);
+  for (const LandmarkView& other : seen.views) Link(other.keyframe, keyframe, -1);
+  if (seen.views.empty()) {
+    landmarks_.Remove(landmark);
+  } else if (seen.reference == keyframe) {
+    seen.reference = seen.views.front().keyframe;
+  }
+}
+
+void Map::Merge(LandmarkId from, LandmarkId into) {
+  if (from == into) return;
+  YORB_CHECK(Find(from) && Find(into), "both landmarks of a merge must be there");
+  const Landmark leaving = *Find(from);
+  Remove(from);
+  for (const LandmarkView& view : leaving.views) Observe(into, view.keyframe, view.index);
+  Count(into, leaving.num_visible, leaving.num_found);
+  merged_into_.emplace(from, into);
+  Refresh(into);
+}
+
+void Map::Remove(LandmarkId id) {
+  const std::vector<LandmarkView> views = landmarks_.Writable(id).views;
+  for (const LandmarkView& view : views) Unobserve(id, view.keyframe);
+}
+
+void Map::Remove(KeyframeId id) {
+  const Keyframe* found = Find(id);
+  YORB_CHECK(found && found->parent.IsValid(), "the first keyframe stays");
+  const Keyframe leaving = *found;
+  for (const LandmarkId landmark : leaving.landmarks) {
+    if (landmark.IsValid()) Unobserve(landmark, id);
+  }
+  AdoptChildren(leaving);
+  auto& siblings = keyframes_.Writable(leaving.parent).children;
+  siblings.erase(std::find(siblings.begin(), siblings.end(), id));
+  removed_[id] = {leaving.parent, leaving.cam_from_world * Find(leaving.parent)->cam_from_world.Inverse()};
+  keyframes_.Remove(id);
+  while (newest_keyframe_ == id || !Find(newest_keyframe_)) newest_keyframe_ = KeyframeId(newest_keyframe_.value() - 1);
+}
+
+void Map::RefreshGeometry(LandmarkId id) {
+  Landmark& landmark = landmarks_.Writable(id);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const LandmarkView& view : landmark.views) {
+    sum += (landmark.position - Find(view.keyframe)->cam_from_world.OriginInSource()).normalized();
+  }
+  landmark.view_direction = sum.normalized();
+
+  const Keyframe& reference = *Find(landmark.reference);
+  const Frame& frame = *reference.frame;
+  const auto octave = static_cast<size_t>(frame.keypoints[landmark.ViewOf(landmark.reference)->index].octave);
+  const double distance = (landmark.position - reference.cam_from_world.OriginInSource()).norm();
+  landmark.max_distance = distance * frame.scales->scale[octave];
+  landmark.min_distance = landmark.max_distance / frame.scales->scale.back();
+}
+
+void Map::Refresh(LandmarkId id) {
+  RefreshGeometry(id);
+  Landmark& landmark = landmarks_.Writable(id);
+  std::vector<Descriptor> descriptors;
+  for (const LandmarkView& view : landmark.views) {
+    descriptors.push_back(Find(view.keyframe)->frame->descriptors[view.index]);
+  }
+  landmark.descriptor = descriptors[MostTypical(descriptors)];
+}
+
+void Map::Count(LandmarkId id, int visible, int found) {
+  if (!Find(id)) return;
+  Landmark& landmark = landmarks_.Writable(id);
+  landmark.num_visible += visible;
+  landmark.num_found += found;
+}
+
+void Map::Link(KeyframeId a, KeyframeId b, int change) {
+  for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+    auto& neighbours = keyframes_.Writable(one).neighbours;
+    auto at = NeighbourAt(neighbours, other);
+    if (at == neighbours.end() || at->id != other) at = neighbours.insert(at, Neighbour{other, 0});
+    at->weight += change;
+    if (at->weight == 0) neighbours.erase(at);
+  }
+}
+
+void Map::AdoptChildren(const Keyframe& leaving) {
+  for (const KeyframeId child : leaving.children) {
+    // The sibling or grandparent that shares most with the child; only those whose own way to the root avoids the
+    // child can be its parent, and all older keyframes' ways do.
+    KeyframeId best = leaving.parent;
+    int best_weight = 0;
+    for (const Neighbour& neighbour : Find(child)->neighbours) {
+      if (neighbour.id < child && neighbour.id != leaving.id && neighbour.weight > best_weight) {
+        best = neighbour.id;
+        best_weight = neighbour.weight;
+      }
+    }
+    SetParent(child, best);
+  }
+}
+
+void Map::SetParent(KeyframeId child, KeyframeId parent) {
+  YORB_CHECK(parent < child && Find(parent), "a parent is there before its child");
+  keyframes_.Writable(child).parent = parent;
+  keyframes_.Writable(parent).children.push_back(child);
+}
+
+}  // namespace yorb

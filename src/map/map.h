@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Room: map. The one store of what the world looks like: a value with one writer.
+// Takes: frames, poses, points from the mapper. Gives: snapshots that never change. Owns: keyframes and landmarks.
+// Runs on: writing methods on the mapper's thread alone; a snapshot on any. May not: match, optimise, start threads.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "map/keyframe.h"
+#include "map/landmark.h"
+#include "map/paged_table.h"
+
+namespace yorb {
+
+class Map;
+using MapSnapshot = std::shared_ptr<const Map>;
+
+/// Keyframes, landmarks, who sees whom, and the spanning tree. Ids are never used again: "is bad" becomes "is not
+/// there". Each writing method keeps both ends of a link.
+class Map {
+ public:
+  // ---- reading, on any thread -------------------------------------------------------------------------------------
+  /// The row, or null where it is not (any more).
+  const Keyframe* Find(KeyframeId id) const { return keyframes_.Find(id); }
+  const Landmark* Find(LandmarkId id) const { return landmarks_.Find(id); }
+
+  /// The landmark that this one was merged into, or itself.
+  LandmarkId Resolve(LandmarkId id) const;
+
+  /// The pose of a keyframe that is there or was removed; nothing for ids that never were.
+  std::optional<Rigid3> CamFromWorld(KeyframeId id) const;
+
+  /// The keyframe itself, or, where it was removed, the nearest ancestor that is there.
+  KeyframeId Surviving(KeyframeId id) const;
+
+  template <typename Visitor>
+  void VisitKeyframes(Visitor&& visit) const {
+    keyframes_.Visit(visit);
+  }
+  template <typename Visitor>
+  void VisitLandmarks(Visitor&& visit) const {
+    landmarks_.Visit(visit);
+  }
+  size_t num_keyframes() const { return keyframes_.size(); }
+  size_t num_landmarks() const { return landmarks_.size(); }
+  KeyframeId newest_keyframe() const { return newest_keyframe_; }
+
+  /// The first broken invariant in words, empty when all hold. Slow: for tests.
+  std::string Check() const;
+
+  // ---- writing, by the mapper -------------------------------------------------------------------------------------
+  /// What others read from now on; this map goes on.
+  MapSnapshot Snapshot();
+
+  KeyframeId AddKeyframe(FramePtr frame, const Rigid3& cam_from_world, KeyframeId parent);
+
+  /// A new landmark, seen first at `index` of `keyframe`.
+  LandmarkId AddLandmark(const Eigen::Vector3d& x_in_world, KeyframeId keyframe, uint32_t index);
+
+  /// Adds a view, unless the keyframe sees the landmark already or its keypoint sees another one: then false.
+  bool Observe(LandmarkId landmark, KeyframeId keyframe, uint32_t index);
+
+  /// Takes a view away; a landmark without views goes with its last one.
+  void Unobserve(LandmarkId landmark, KeyframeId keyframe);
+
+  /// `from` becomes `into`: its views where `into` has none, its counts, its name.
+  void Merge(LandmarkId from, LandmarkId into);
+
+  void Remove(LandmarkId id);
+
+  /// Its views go, its children find a new parent, its pose stays answerable. Not for the first keyframe.
+  void Remove(KeyframeId id);
+
+  void SetPose(KeyframeId id, const Rigid3& cam_from_world) { keyframes_.Writable(id).cam_from_world = cam_from_world; }
+  void SetPosition(LandmarkId id, const Eigen::Vector3d& x_in_world) { landmarks_.Writable(id).position = x_in_world; }
+
+  /// Computes direction and distances of a landmark anew from its views.
+  void RefreshGeometry(LandmarkId id);
+
+  /// The same, and its descriptor: after its views changed.
+  void Refresh(LandmarkId id);
+
+  /// Adds to the counts of a landmark, if it is still there.
+  void Count(LandmarkId id, int visible, int found);
+
+ private:
+  struct Removed {
+    KeyframeId parent;
+    Rigid3 cam_from_parent_cam;
+  };
+
+  void Link(KeyframeId a, KeyframeId b, int change);
+  void AdoptChildren(const Keyframe& leaving);
+  void SetParent(KeyframeId child, KeyframeId parent);
+
+  PagedTable<Keyframe> keyframes_;
+  PagedTable<Landmark> landmarks_;
+  std::unordered_map<KeyframeId, Removed> removed_;
+  std::unordered_map<LandmarkId, LandmarkId> merged_into_;
+  KeyframeId newest_keyframe_;
+};
+
+}  // namespace yorb

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "map/map.h"
+
+namespace yorb {
+namespace {
+
+std::string Name(KeyframeId id) { return "keyframe " + std::to_string(id.value()); }
+std::string Name(LandmarkId id) { return "landmark " + std::to_string(id.value()); }
+
+std::string CheckLandmark(const Map& map, const Landmark& landmark) {
+  if (landmark.views.empty()) return Name(landmark.id) + " has no view";
+  if (!landmark.position.allFinite()) return Name(landmark.id) + " is nowhere";
+  if (!landmark.ViewOf(landmark.reference)) return Name(landmark.id) + " is not seen by its reference";
+  for (size_t i = 0; i < landmark.views.size(); ++i) {
+    const LandmarkView& view = landmark.views[i];
+    if (i > 0 && !(landmark.views[i - 1].keyframe < view.keyframe)) return Name(landmark.id) + " has unsorted views";
+    const Keyframe* keyframe = map.Find(view.keyframe);
+    if (!keyframe) return Name(landmark.id) + " is seen by a keyframe that is not there";
+    if (keyframe->landmarks[view.index] != landmark.id)
+      return Name(view.keyframe) + " does not know " + Name(landmark.id);
+  }
+  return {};
+}
+
+std::string CheckKeyframe(const Map& map, const Keyframe& keyframe) {
+  if (keyframe.landmarks.size() != keyframe.frame->size()) return Name(keyframe.id) + " has rows for other keypoints";
+  if (!keyframe.cam_from_world.IsFinite()) return Name(keyframe.id) + " is nowhere";
+  std::unordered_map<KeyframeId, int> shared;
+  for (const LandmarkId id : keyframe.landmarks) {
+    if (!id.IsValid()) continue;
+    const Landmark* landmark = map.Find(id);
+    if (!landmark || !landmark->ViewOf(keyframe.id)) return Name(keyframe.id) + " sees " + Name(id) + " alone";
+    for (const LandmarkView& view : landmark->views) ++shared[view.keyframe];
+  }
+  shared.erase(keyframe.id);
+  if (shared.size() != keyframe.neighbours.size()) return Name(keyframe.id) + " has wrong neighbours";
+  for (const Neighbour& neighbour : keyframe.neighbours) {
+    if (shared[neighbour.id] != neighbour.weight) return Name(keyframe.id) + " has a wrong weight";
+  }
+  return {};
+}
+
+std::string CheckTree(const Map& map, const Keyframe& keyframe, bool is_first) {
+  if (keyframe.parent.IsValid() == is_first) return Name(keyframe.id) + (is_first ? " is first" : " has no parent");
+  if (!is_first) {
+    const Keyframe* parent = map.Find(keyframe.parent);
+    if (!parent || !(parent->id < keyframe.id)) return Name(keyframe.id) + " has a parent that is not there or newer";
+  }
+  for (const KeyframeId child : keyframe.children) {
+    const Keyframe* found = map.Find(child);
+    if (!found || found->parent != keyframe.id) return Name(keyframe.id) + " has a child with another parent";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string Map::Check() const {
+  std::string broken;
+  bool is_first = true;
+  VisitLandmarks([&](const Landmark& landmark) {
+    if (broken.empty()) broken = CheckLandmark(*this, landmark);
+  });
+  VisitKeyframes([&](const Keyframe& keyframe) {
+    if (broken.empty()) broken = CheckKeyframe(*this, keyframe);
+    if (broken.empty()) broken = CheckTree(*this, keyframe, is_first);
+    is_first = false;
+  });
+  for (const auto& [from, into] : merged_into_) {
+    if (broken.empty() && Find(from)) broken = Name(from) + " was merged and is still there";
+  }
+  return broken;
+}
+
+}  // namespace yorb

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/fuse.h"
+
+#include <algorithm>
+
+#include "matching/duplicates.h"
+
+namespace yorb {
+namespace {
+
+std::vector<LandmarkId> LandmarksOf(const Map& map, const std::vector<KeyframeId>& keyframes) {
+  std::vector<LandmarkId> ids;
+  for (const KeyframeId keyframe : keyframes) {
+    for (const LandmarkId id : map.Find(keyframe)->landmarks) {
+      if (id.IsValid()) ids.push_back(id);
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+/// The neighbours, and half as many neighbours of each of them.
+std::vector<KeyframeId> Targets(const Map& map, KeyframeId center, size_t num_neighbours) {
+  std::vector<KeyframeId> targets = map.Find(center)->Strongest(num_neighbours, 1);
+  const size_t num_direct = targets.size();
+  for (size_t i = 0; i < num_direct; ++i) {
+    for (const KeyframeId id : map.Find(targets[i])->Strongest(num_neighbours / 2, 1)) {
+      const bool is_known = id == center || std::find(targets.begin(), targets.end(), id) != targets.end();
+      if (!is_known && targets.size() < 2 * num_neighbours) targets.push_back(id);
+    }
+  }
+  return targets;
+}
+
+void Apply(Map& map, const std::vector<Sighting>& sightings, KeyframeId keyframe) {
+  for (const auto& [id, index] : sightings) {
+    if (!map.Find(id)) continue;
+    const LandmarkId there = map.Find(keyframe)->landmarks[index];
+    if (!there.IsValid()) {
+      if (map.Observe(id, keyframe, index)) map.Refresh(id);
+    } else if (there != id) {
+      const bool is_better_known = map.Find(id)->views.size() > map.Find(there)->views.size();
+      map.Merge(is_better_known ? there : id, is_better_known ? id : there);
+    }
+  }
+}
+
+}  // namespace
+
+void FuseWithNeighbours(Map& map, KeyframeId keyframe, size_t num_neighbours) {
+  const std::vector<KeyframeId> targets = Targets(map, keyframe, num_neighbours);
+  for (const KeyframeId target : targets) {
+    Apply(map, FindSightings(map, LandmarksOf(map, {keyframe}), *map.Find(target)), target);
+  }
+  Apply(map, FindSightings(map, LandmarksOf(map, targets), *map.Find(keyframe)), keyframe);
+}
+
+}  // namespace yorb

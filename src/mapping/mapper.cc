@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/mapper.h"
+
+#include "core/stopwatch.h"
+#include "mapping/cull.h"
+#include "mapping/fuse.h"
+#include "mapping/insert.h"
+#include "mapping/triangulate_new.h"
+#include "optimize/local_bundle.h"
+
+namespace yorb {
+
+MappingTimes Mapper::Handle(const Proposal& proposal, const MapperHooks& hooks) {
+  MappingTimes times;
+  const Stopwatch total;
+  const auto num_neighbours = static_cast<size_t>(options_.neighbours);
+
+  const KeyframeId id = Insert(proposal);
+  times.insert_ms = total.ms();
+
+  const Stopwatch triangulate;
+  for (const LandmarkId added : TriangulateNew(map_, id, num_neighbours)) recent_.push_back(added);
+  times.triangulate_ms = triangulate.ms();
+
+  const Stopwatch fuse;
+  FuseWithNeighbours(map_, id, num_neighbours);
+  times.fuse_ms = fuse.ms();
+  if (hooks.publish) hooks.publish(map_.Snapshot());
+
+  const bool is_busy = hooks.is_busy && hooks.is_busy();
+  if (map_.num_keyframes() > 1 && !is_busy) {
+    const Stopwatch adjust;
+    AdjustAround(id, hooks.is_busy);
+    times.local_ba_ms = adjust.ms();
+    times.has_adjusted = true;
+    const Stopwatch cull;
+    CullKeyframes(map_, id, options_.redundant_share);
+    times.cull_ms = cull.ms();
+  }
+  times.total_ms = total.ms();
+  return times;
+}
+
+KeyframeId Mapper::Insert(const Proposal& proposal) {
+  const KeyframeId id = InsertKeyframe(map_, proposal);
+  recent_ = CullRecentLandmarks(map_, recent_);
+  for (const LandmarkId added : AddLandmarksByDepth(map_, id)) recent_.push_back(added);
+  return id;
+}
+
+void Mapper::AdjustAround(KeyframeId center, const std::function<bool()>& should_stop) {
+  constexpr int kMinRays = 3;  // what one view with depth does not give
+  LocalBundleOptions options;
+  options.max_moving = static_cast<size_t>(options_.ba_keyframes);
+  options.max_fixed = static_cast<size_t>(options_.ba_fixed_keyframes);
+  const LocalBundle bundle = AdjustLocally(map_, center, options, should_stop);
+  for (const auto& [id, pose] : bundle.poses) map_.SetPose(id, pose);
+  for (const auto& [id, x_in_world] : bundle.points) map_.SetPosition(id, x_in_world);
+  for (const auto& [landmark, keyframe] : bundle.outliers) {
+    if (!map_.Find(landmark)) continue;
+    map_.Unobserve(landmark, keyframe);
+    const Landmark* left = map_.Find(landmark);
+    if (left && NumRays(map_, *left) < kMinRays) map_.Remove(landmark);
+  }
+  for (const auto& [id, x_in_world] : bundle.points) {
+    if (map_.Find(id)) map_.RefreshGeometry(id);
+  }
+}
+
+}  // namespace yorb

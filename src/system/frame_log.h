@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "map/map.h"
+#include "mapping/mapper.h"
+#include "system/slam.h"
+
+namespace yorb {
+
+/// What has happened to each frame, and how long each stage took. Any thread may call anything.
+class FrameLog {
+ public:
+  void Add(const FrameRecord& record);
+  void Add(const MappingTimes& times);
+
+  size_t num_frames() const;
+
+  /// Everything so far, with the poses that `map` gives the frames now.
+  SlamReport Report(const Map& map) const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<FrameRecord> records_;
+  std::map<std::string, std::vector<double>> stage_ms_;
+};
+
+}  // namespace yorb

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "core/channel.h"
+#include "core/latest.h"
+#include "features/frame_builder.h"
+#include "mapping/mapper.h"
+#include "system/frame_log.h"
+#include "system/slam.h"
+#include "tracking/tracker.h"
+
+namespace yorb {
+
+/// The stages and the streams between them; the only place where stages meet, and where threads live.
+///
+///   images --extract--> frames --track--> proposals --map~~~> view (read by track)
+///
+/// Inline mode calls the same functions one after the other. Offline and live differ in the policy of the first stream.
+class Pipeline {
+ public:
+  Pipeline(const Config& config, const Rig& rig, Mode mode);
+  ~Pipeline();
+
+  bool Push(ImageSet images);
+  void Finish();
+  MapSnapshot Snapshot() const { return view_.Get(); }
+  SlamReport Report() const { return log_.Report(*view_.Get()); }
+  size_t num_frames_done() const { return log_.num_frames(); }
+
+ private:
+  /// A frame on its way to the tracker.
+  struct Extracted {
+    FramePtr frame;
+    double extract_ms = 0;
+  };
+
+  Extracted Extract(const ImageSet& images);
+  std::optional<Proposal> Track(const Extracted& extracted);
+  void Handle(const Proposal& proposal, const MapperHooks& hooks);
+
+  void RunExtraction();
+  void RunTracking();
+  void RunMapping();
+
+  const Mode mode_;
+  FrameBuilder builder_;
+  Tracker tracker_;
+  Mapper mapper_;
+
+  Channel<ImageSet> images_;
+  Channel<Extracted> frames_;
+  Channel<Proposal> proposals_;
+  Channel<MapSnapshot> first_map_;      ///< the tracker waits for the map to begin
+  std::atomic<size_t> num_pending_{0};  ///< proposals that the mapper has not worked off
+  Latest<Map> view_;
+  FrameLog log_;
+  uint32_t next_frame_ = 0;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace yorb

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "system/slam.h"
+
+#include "system/pipeline.h"
+
+namespace yorb {
+namespace {
+
+Mode ModeOf(const Config& config) {
+  if (config.mode == "inline") return Mode::kInline;
+  return config.mode == "live" ? Mode::kLive : Mode::kOffline;
+}
+
+std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+}  // namespace
+
+Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig) {
+  if (rig.camera.width <= 0 || rig.camera.height <= 0) {
+    return BadInput("the camera " + rig.name + " states no picture size; give it width and height");
+  }
+  if (!(rig.camera.fx > 0) || !(rig.camera.fy > 0))
+    return BadInput("the camera " + rig.name + " needs fx and fy above 0");
+  if (!(rig.baseline_px > 0)) return BadInput("the camera " + rig.name + " needs a baseline above 0");
+  return std::unique_ptr<Slam>(new Slam(config, rig));
+}
+
+Slam::Slam(const Config& config, const Rig& rig)
+    : pipeline_(std::make_unique<Pipeline>(config, rig, ModeOf(config))),
+      width_(rig.camera.width),
+      height_(rig.camera.height) {}
+
+Slam::~Slam() = default;
+
+Result<bool> Slam::Push(ImageSet images) {
+  if (images.grey.cols != width_ || images.grey.rows != height_) {
+    return BadInput("the picture at " + ToString(images.timestamp) + " s is " +
+                    SizeText(images.grey.cols, images.grey.rows) + ", the camera's are " + SizeText(width_, height_));
+  }
+  if (newest_ && images.timestamp <= *newest_) {
+    return BadInput("the picture at " + ToString(images.timestamp) + " s is not later than the one before, at " +
+                    ToString(*newest_) + " s");
+  }
+  newest_ = images.timestamp;
+  return pipeline_->Push(std::move(images));
+}
+
+void Slam::Finish() { pipeline_->Finish(); }
+
+MapSnapshot Slam::Snapshot() const { return pipeline_->Snapshot(); }
+
+SlamReport Slam::Report() const { return pipeline_->Report(); }
+
+size_t Slam::NumFramesDone() const { return pipeline_->num_frames_done(); }
+
+}  // namespace yorb

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/fix.h"
+
+#include "optimize/observed.h"
+
+namespace yorb {
+
+Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches) {
+  std::vector<KnownPoint> points;
+  std::vector<int> rows(frame.size(), -1);
+  for (size_t i = 0; i < matches.size(); ++i) {
+    const Landmark* landmark = map.Find(matches[i]);
+    if (!landmark) continue;
+    rows[i] = static_cast<int>(points.size());
+    KnownPoint point;
+    point.x_in_world = landmark->position;
+    point.landmark = landmark->id;
+    points.push_back(point);
+  }
+  return FixFromPoints(frame, guess, points, rows);
+}
+
+Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
+                  const std::vector<int>& rows) {
+  std::vector<PoseObservation> observations;
+  std::vector<size_t> indices;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] < 0) continue;
+    observations.push_back({points[static_cast<size_t>(rows[i])].x_in_world, Observed(frame, i), 1.0});
+    indices.push_back(i);
+  }
+  const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig));
+
+  Fix fix;
+  fix.cam_from_world = estimate.cam_from_world;
+  fix.matches.resize(frame.size());
+  fix.num_matched = observations.size();
+  for (size_t k = 0; k < observations.size(); ++k) {
+    if (!estimate.is_inlier[k]) continue;
+    const LandmarkId landmark = points[static_cast<size_t>(rows[indices[k]])].landmark;
+    fix.matches[indices[k]] = landmark;
+    (landmark.IsValid() ? fix.num_inliers : fix.num_inliers_by_depth) += 1;
+  }
+  return fix;
+}
+
+}  // namespace yorb

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "map/map.h"
+#include "matching/by_projection.h"
+
+namespace yorb {
+
+/// The part of the map that a frame looks at.
+struct LocalMap {
+  std::vector<KeyframeId> keyframes;  ///< those that share landmarks with the frame, and their neighbours
+  KeyframeId reference;               ///< the one that shares most; not valid when none does
+};
+
+/// Collects the local map by the landmarks that the frame has matched so far, `max_keyframes` at most.
+LocalMap CollectLocalMap(const Map& map, const std::vector<LandmarkId>& matches, size_t max_keyframes);
+
+/// The landmarks of the local map that the frame should see from that pose and has not matched yet.
+std::vector<ExpectedLandmark> ExpectLocalLandmarks(const Map& map, const LocalMap& local, const Frame& frame,
+                                                   const Rigid3& cam_from_world, const std::vector<LandmarkId>& matches,
+                                                   float widening);
+
+}  // namespace yorb

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/relocalizer.h"
+
+#include <algorithm>
+
+#include "geometry/pnp.h"
+#include "matching/by_appearance.h"
+#include "optimize/observed.h"
+#include "tracking/local_map.h"
+
+namespace yorb {
+namespace {
+
+/// A pose by PnP on matches by appearance, refined on its inliers.
+std::optional<Fix> CoarseFix(const Frame& frame, const Map& map, const std::vector<LandmarkId>& matches,
+                             Random random) {
+  constexpr size_t kMinMatches = 12;
+  std::vector<PnpObservation> observations;
+  std::vector<size_t> indices;
+  for (size_t i = 0; i < matches.size(); ++i) {
+    if (!matches[i].IsValid()) continue;
+    const Eigen::Vector2f& px = frame.points_px[i];
+    const double deviation = frame.scales->scale[static_cast<size_t>(frame.keypoints[i].octave)] / frame.rig->camera.fx;
+    observations.push_back(
+        {map.Find(matches[i])->position, frame.rig->camera.Unproject(px.x(), px.y(), 1).head<2>(), deviation});
+    indices.push_back(i);
+  }
+  if (observations.size() < kMinMatches) return std::nullopt;
+  const auto pnp = PnpRansac(observations, PnpOptions(), random);
+  if (!pnp) return std::nullopt;
+  std::vector<LandmarkId> inliers(frame.size());
+  for (size_t k = 0; k < observations.size(); ++k) {
+    if (pnp->is_inlier[k]) inliers[indices[k]] = matches[indices[k]];
+  }
+  return FixFromLandmarks(frame, map, pnp->cam_from_world, inliers);
+}
+
+/// Adds the landmarks of a keyframe and its neighbours that the coarse pose says must be in view.
+Fix Extend(const Frame& frame, const Map& map, const Fix& coarse, const Keyframe& keyframe, double radius_px) {
+  constexpr double kRadiusOfWideningOne = 4;
+  constexpr size_t kNeighbours = 5;
+  LocalMap local;
+  local.keyframes = keyframe.Strongest(kNeighbours, 1);
+  local.keyframes.push_back(keyframe.id);
+  const auto widening = static_cast<float>(radius_px / kRadiusOfWideningOne);
+  const auto expected = ExpectLocalLandmarks(map, local, frame, coarse.cam_from_world, coarse.matches, widening);
+  std::vector<bool> taken(frame.size());
+  for (size_t i = 0; i < frame.size(); ++i) taken[i] = coarse.matches[i].IsValid();
+  const std::vector<int> rows = MatchExpected(frame, expected, taken);
+  std::vector<LandmarkId> matches = coarse.matches;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] >= 0) matches[i] = expected[static_cast<size_t>(rows[i])].id;
+  }
+  return FixFromLandmarks(frame, map, coarse.cam_from_world, matches);
+}
+
+/// The newest keyframes, and a few of the older ones in turn, so that every place is asked about within some frames.
+std::vector<KeyframeId> Candidates(const Map& map, FrameId frame) {
+  constexpr size_t kNewest = 8, kOlder = 4;
+  std::vector<KeyframeId> all;
+  map.VisitKeyframes([&](const Keyframe& keyframe) { all.push_back(keyframe.id); });
+  std::reverse(all.begin(), all.end());
+  if (all.size() <= kNewest + kOlder) return all;
+  std::vector<KeyframeId> chosen(all.begin(), all.begin() + kNewest);
+  const size_t num_older = all.size() - kNewest;
+  for (size_t k = 0; k < kOlder; ++k) chosen.push_back(all[kNewest + (frame.value() * kOlder + k) % num_older]);
+  return chosen;
+}
+
+}  // namespace
+
+std::optional<Fix> RelocalizeAgainst(const Frame& frame, const Map& map, const Keyframe& keyframe,
+                                     const TrackingOptions& options, size_t min_inliers, Random random) {
+  constexpr size_t kHopeless = 10;
+  const auto coarse = CoarseFix(frame, map, MatchByAppearance(frame, keyframe, map), random);
+  if (!coarse || coarse->num_inliers < kHopeless) return std::nullopt;
+  if (coarse->num_inliers >= min_inliers) return coarse;
+  Fix fix = Extend(frame, map, *coarse, keyframe, options.relocalize_radius_px);
+  if (fix.num_inliers < min_inliers) return std::nullopt;
+  return fix;
+}
+
+std::optional<Fix> Relocalize(const Frame& frame, const Map& map, const TrackingOptions& options, Random random) {
+  for (const KeyframeId id : Candidates(map, frame.id)) {
+    auto fix = RelocalizeAgainst(frame, map, *map.Find(id), options,
+                                 static_cast<size_t>(options.min_inliers_after_loss), random);
+    if (fix) return fix;
+  }
+  return std::nullopt;
+}
+
+}  // namespace yorb

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/tracker.h"
+
+#include <algorithm>
+
+#include "tracking/keyframe_policy.h"
+#include "tracking/relocalizer.h"
+
+namespace yorb {
+namespace {
+
+constexpr size_t kMinInliersOfGuess = 10;  // that make a first pose worth refining on the local map
+
+size_t NumInliers(const Fix& fix) { return fix.num_inliers + fix.num_inliers_by_depth; }
+
+int CountPointsWithDepth(const Frame& frame) {
+  return static_cast<int>(std::count_if(frame.depth.begin(), frame.depth.end(), [](float d) { return d > 0; }));
+}
+
+}  // namespace
+
+Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
+  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame) : TrackInMap(frame, map, backlog);
+  tracked.record.id = frame->id;
+  tracked.record.timestamp = frame->timestamp;
+  tracked.record.state = state_;
+  tracked.record.num_extracted = tracked.record.num_static = static_cast<int>(frame->size());
+  tracked.record.is_keyframe = tracked.proposal.has_value();
+  return tracked;
+}
+
+Tracked Tracker::Begin(const FramePtr& frame) {
+  Tracked tracked;
+  const int num_points = CountPointsWithDepth(*frame);
+  if (num_points < options_.min_first_points) return tracked;
+  // The map's first keyframe has the first id there is, and defines the world.
+  const KeyframeId first(0);
+  state_ = TrackingState::kTracking;
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size())};
+  last_proposal_ = frame->timestamp;
+  tracked.record.reference = first;
+  tracked.record.num_matched = tracked.record.num_inliers = num_points;
+  tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}};
+  return tracked;
+}
+
+Tracked Tracker::TrackInMap(const FramePtr& frame, const Map& map, size_t backlog) {
+  std::optional<Fix> fix;
+  if (state_ != TrackingState::kLost) fix = TrackFromLast(*frame, map);
+  if (fix) fix = TrackLocalMap(*frame, map, *fix);
+  if (!fix && state_ != TrackingState::kLost) {
+    fix = TrackFromKeyframe(*frame, map);
+    if (fix) fix = TrackLocalMap(*frame, map, *fix);
+  }
+  if (!fix) {
+    fix = Relocalize(*frame, map, options_, Random(static_cast<uint64_t>(seed_), frame->id.value()));
+    if (fix) fix = TrackLocalMap(*frame, map, *fix);
+  }
+
+  Tracked tracked;
+  ++frames_since_proposal_;
+  if (!fix) {
+    NoteLoss(*frame);
+    return tracked;
+  }
+  Remember(frame, map, *fix);
+  tracked.record.reference = last_.reference;
+  tracked.record.cam_from_reference = last_.cam_from_reference;
+  tracked.record.num_matched = static_cast<int>(fix->num_matched);
+  tracked.record.num_inliers = static_cast<int>(NumInliers(*fix));
+  const KeyframeQuestion question{
+      *frame, *fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
+      backlog};
+  if (IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, *fix);
+  return tracked;
+}
+
+std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
+  constexpr size_t kFewMatches = 20;
+  constexpr float kWider = 2, kWidest = 4;
+  const Rigid3 last_pose = LastPose(map);
+  const Rigid3 predicted = motion_.Predict(last_.frame->timestamp, frame.timestamp) * last_pose;
+  const std::vector<KnownPoint> points = KnownPointsOfLast(map);
+  const auto radius_px = static_cast<float>(options_.search_radius_px);
+
+  const struct {
+    const Rigid3& guess;
+    float radius_px;
+  } attempts[] = {{predicted, radius_px}, {predicted, kWider * radius_px}, {last_pose, kWidest * radius_px}};
+  for (const auto& attempt : attempts) {
+    const std::vector<int> rows = MatchKnownPoints(frame, attempt.guess, last_pose, points, attempt.radius_px);
+    const auto num_matches =
+        static_cast<size_t>(std::count_if(rows.begin(), rows.end(), [](int row) { return row >= 0; }));
+    if (num_matches < kFewMatches) continue;
+    Fix fix = FixFromPoints(frame, attempt.guess, points, rows);
+    if (NumInliers(fix) >= kFewMatches) return fix;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map) const {
+  const Keyframe* reference = map.Find(map.Surviving(last_.reference));
+  if (!reference) return std::nullopt;
+  Random random(static_cast<uint64_t>(seed_), frame.id.value());
+  return RelocalizeAgainst(frame, map, *reference, options_, kMinInliersOfGuess, random);
+}
+
+std::optional<Fix> Tracker::TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) {
+  local_ = CollectLocalMap(map, coarse.matches, static_cast<size_t>(options_.max_local_keyframes));
+  if (local_.keyframes.empty()) {
+    // No landmark is in view, but the frame before is: its keyframe stands for the place.
+    const KeyframeId near = map.Surviving(last_.reference);
+    if (map.Find(near)) local_.keyframes.push_back(local_.reference = near);
+  }
+  const auto widening = static_cast<float>(options_.local_widening);
+  const std::vector<ExpectedLandmark> expected =
+      ExpectLocalLandmarks(map, local_, frame, coarse.cam_from_world, coarse.matches, widening);
+  std::vector<bool> taken(frame.size());
+  for (size_t i = 0; i < frame.size(); ++i) taken[i] = coarse.matches[i].IsValid();
+  const std::vector<int> rows = MatchExpected(frame, expected, taken);
+
+  std::vector<LandmarkId> matches = coarse.matches;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] >= 0) matches[i] = expected[static_cast<size_t>(rows[i])].id;
+  }
+  Fix fix = FixFromLandmarks(frame, map, coarse.cam_from_world, matches);
+  std::vector<LandmarkId> visible = coarse.matches;
+  for (const ExpectedLandmark& e : expected) visible.push_back(e.id);
+  CountSeen(visible, fix);
+  if (IsConfirmed(frame, fix)) return fix;
+  // Too little of the map is in view; the frame before, with its own depth, may carry on alone.
+  if (IsConfirmed(frame, coarse)) return coarse;
+  return std::nullopt;
+}
+
+bool Tracker::IsConfirmed(const Frame& frame, const Fix& fix) const {
+  constexpr double kWarySeconds = 1.0;
+  const bool is_wary = was_lost_ && SecondsBetween(lost_since_, frame.timestamp) < kWarySeconds;
+  const int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
+  return NumInliers(fix) >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
+}
+
+void Tracker::CountSeen(const std::vector<LandmarkId>& expected, const Fix& fix) {
+  for (const LandmarkId id : expected) {
+    if (id.IsValid()) ++counts_[id].visible;
+  }
+  for (const LandmarkId id : fix.matches) {
+    if (id.IsValid()) ++counts_[id].found;
+  }
+}
+
+void Tracker::Remember(const FramePtr& frame, const Map& map, const Fix& fix) {
+  if (state_ == TrackingState::kTracking) {
+    motion_.Observe(last_.frame->timestamp, frame->timestamp, fix.cam_from_world * LastPose(map).Inverse());
+  } else {
+    motion_.Forget();
+    was_lost_ = true;
+    lost_since_ = frame->timestamp;
+  }
+  const KeyframeId reference = local_.reference.IsValid() ? local_.reference : map.Surviving(last_.reference);
+  last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches};
+  state_ = TrackingState::kTracking;
+}
+
+void Tracker::NoteLoss(const Frame& frame) {
+  motion_.Forget();
+  const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
+  state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
+}
+
+Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
+  Proposal proposal{frame, last_.reference, last_.cam_from_reference, fix.matches, {}};
+  proposal.counts.reserve(counts_.size());
+  for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found});
+  counts_.clear();
+  last_proposal_ = frame->timestamp;
+  frames_since_proposal_ = 0;
+  return proposal;
+}
+
+std::vector<KnownPoint> Tracker::KnownPointsOfLast(const Map& map) const {
+  constexpr size_t kEnoughLandmarks = 150;
+  const Frame& frame = *last_.frame;
+  const Rigid3 world_from_cam = LastPose(map).Inverse();
+  std::vector<KnownPoint> points;
+  std::vector<size_t> unknown;
+  for (size_t i = 0; i < frame.size(); ++i) {
+    const LandmarkId id = map.Resolve(last_.matches[i]);
+    const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
+    const Keypoint& keypoint = frame.keypoints[i];
+    if (landmark) {
+      points.push_back({landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id});
+    } else if (frame.HasDepth(i) && frame.depth[i] < frame.rig->CloseDepth()) {
+      unknown.push_back(i);
+    }
+  }
+  if (points.size() >= kEnoughLandmarks) return points;
+  for (const size_t i : unknown) {
+    const Keypoint& keypoint = frame.keypoints[i];
+    points.push_back(
+        {world_from_cam * frame.PointInCam(i), frame.descriptors[i], keypoint.octave, keypoint.angle_rad, {}});
+  }
+  return points;
+}
+
+Rigid3 Tracker::LastPose(const Map& map) const {
+  const auto reference = map.CamFromWorld(last_.reference);
+  YORB_CHECK(reference.has_value(), "the reference of a confirmed frame stays answerable");
+  return last_.cam_from_reference * *reference;
+}
+
+}  // namespace yorb

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Room: tracking. Finds where the camera is, one frame at a time.
+// Takes: Frame, Map (a snapshot). Gives: FrameRecord, Proposal. Owns: the last confirmed frame, motion, state.
+// Runs on: whichever thread calls Track. May not: change the map, start threads, read files.
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+
+#include "map/map.h"
+#include "tracking/fix.h"
+#include "tracking/local_map.h"
+#include "tracking/motion_model.h"
+#include "tracking/tracking_options.h"
+
+namespace yorb {
+
+/// What became of a frame, and what it asks of the map.
+struct Tracked {
+  FrameRecord record;
+  std::optional<Proposal> proposal;
+};
+
+class Tracker {
+ public:
+  Tracker(const TrackingOptions& options, int64_t seed) : options_(options), seed_(seed) {}
+
+  /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off.
+  Tracked Track(const FramePtr& frame, const Map& map, size_t backlog);
+
+ private:
+  /// The newest frame whose pose was confirmed.
+  struct Confirmed {
+    FramePtr frame;
+    KeyframeId reference;
+    Rigid3 cam_from_reference;
+    std::vector<LandmarkId> matches;
+  };
+
+  Tracked Begin(const FramePtr& frame);
+  Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
+  std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse);
+  bool IsConfirmed(const Frame& frame, const Fix& fix) const;
+  void CountSeen(const std::vector<LandmarkId>& expected, const Fix& fix);
+  void Remember(const FramePtr& frame, const Map& map, const Fix& fix);
+  void NoteLoss(const Frame& frame);
+  Proposal Propose(const FramePtr& frame, const Fix& fix);
+  std::vector<KnownPoint> KnownPointsOfLast(const Map& map) const;
+  Rigid3 LastPose(const Map& map) const;
+
+  TrackingOptions options_;
+  int64_t seed_;
+  TrackingState state_ = TrackingState::kNotInitialized;
+  Confirmed last_;
+  MotionModel motion_;
+  LocalMap local_;
+  std::unordered_map<LandmarkId, LandmarkCount> counts_;
+  Timestamp last_proposal_, lost_since_;
+  int frames_since_proposal_ = 0;
+  bool was_lost_ = false;
+};
+
+}  // namespace yorb
