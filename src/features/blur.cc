@@ -10,7 +10,7 @@
 namespace yorb {
 namespace {
 
-constexpr int kRadius = 3;
+using blur::kRadius;
 
 /// -1 is 1, -2 is 2, size is size - 2.
 int Mirror(int i, int size) {
@@ -26,6 +26,10 @@ float MultiplyAdd(float a, float b, float c) { return static_cast<float>(static_
 }  // namespace
 
 namespace blur {
+
+void WidenPortable(const uint8_t* row, int width, float* out) {
+  for (int x = 0; x < width; ++x) out[x] = row[x];
+}
 
 void RowPortable(const float* mirrored, int width, float* out) {
   for (int x = 0; x < width; ++x) {
@@ -45,29 +49,31 @@ void ColumnPortable(const float* const rows[7], int width, uint8_t* out) {
 
 }  // namespace blur
 
-const float* Blur::RowOf(const GreyView& source, int y, Instructions) {
+void Blur::BlurRow(const GreyView& source, int y, Instructions instructions) {
+  const bool is_wide = instructions == Instructions::kAvx2;
   const int width = source.width;
   const uint8_t* row = source.Row(y);
-  for (int x = 0; x < width; ++x) mirrored_[static_cast<size_t>(x + kRadius)] = row[x];
+  float* mirrored = mirrored_.data() + kRadius;
+  (is_wide ? blur::WidenAvx2 : blur::WidenPortable)(row, width, mirrored);
   for (int i = 1; i <= kRadius; ++i) {
-    mirrored_[static_cast<size_t>(kRadius - i)] = row[Mirror(-i, width)];
-    mirrored_[static_cast<size_t>(kRadius + width - 1 + i)] = row[Mirror(width - 1 + i, width)];
+    mirrored[-i] = row[Mirror(-i, width)];
+    mirrored[width - 1 + i] = row[Mirror(width - 1 + i, width)];
   }
-  float* out = rows_[y % 7].data();
-  blur::RowPortable(mirrored_.data(), width, out);
-  return out;
+  (is_wide ? blur::RowAvx2 : blur::RowPortable)(mirrored_.data(), width, rows_[y % 7].data());
 }
 
 GreyView Blur::Apply(const GreyView& source, Instructions instructions) {
   target_.Resize(source.width, source.height);
-  mirrored_.resize(static_cast<size_t>(source.width + 2 * kRadius));
-  for (std::vector<float>& row : rows_) row.resize(static_cast<size_t>(source.width));
+  const size_t padded = static_cast<size_t>(source.width + 2 * blur::kBlock);
+  mirrored_.resize(padded);
+  for (std::vector<float>& row : rows_) row.resize(padded);
   int next = 0;
   for (int y = 0; y < source.height; ++y) {
-    for (; next <= std::min(y + kRadius, source.height - 1); ++next) RowOf(source, next, instructions);
+    for (; next <= std::min(y + kRadius, source.height - 1); ++next) BlurRow(source, next, instructions);
     const float* rows[7];
     for (int i = 0; i < 7; ++i) rows[i] = rows_[Mirror(y + i - kRadius, source.height) % 7].data();
-    blur::ColumnPortable(rows, source.width, target_.Row(y));
+    const auto column = instructions == Instructions::kAvx2 ? blur::ColumnAvx2 : blur::ColumnPortable;
+    column(rows, source.width, target_.Row(y));
   }
   return target_.View();
 }

@@ -18,7 +18,7 @@ class Blur {
   GreyView Apply(const GreyView& source, Instructions instructions);
 
  private:
-  const float* RowOf(const GreyView& source, int y, Instructions instructions);
+  void BlurRow(const GreyView& source, int y, Instructions instructions);
 
   GreyImage target_;
   std::vector<float> mirrored_;  ///< one row with mirrored pixels at each end

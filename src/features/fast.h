@@ -34,14 +34,12 @@ class Fast {
 
  private:
   void ScoreRow(const GreyView& level, int y, const FastOptions& options, Instructions instructions);
-  void TakePeaks(const GreyView& level, int y, const FastOptions& options);
+  void TakePeaks(const GreyView& level, int y, const FastOptions& options, Instructions instructions);
 
   std::vector<uint8_t> rows_[3];  ///< scores of the last three rows; row y is rows_[y % 3]
+  std::vector<uint32_t> peaks_;   ///< x of the corners of one row
   std::vector<Corner> corners_;
 };
-
-/// The score of one pixel at least 3 px inside of the picture, over all thresholds from 1.
-int FastScore(const GreyView& level, int x, int y, int arc);
 
 /// The sum of the 16 ring pixels without the brightest and the darkest: 14 times the trimmed mean of equation (3).
 int TrimmedRingSum(const GreyView& level, int x, int y);

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#if defined(__x86_64__) && defined(__GNUC__)
+/// Marks a function that may use AVX2 and FMA intrinsics, whatever the rest of the build targets. Such functions call
+/// no templates of other headers: an inline function compiled for AVX2 could be the one that the linker keeps for all.
+#define YORB_AVX2 __attribute__((target("avx2,fma")))
+#endif
+
 namespace yorb {
 
 /// Which processor instructions a stage uses. Results are equal to the bit.
@@ -9,8 +15,9 @@ enum class Instructions { kPortable, kAvx2 };
 
 /// The widest that this processor and this build have.
 inline Instructions BestInstructions() {
-#if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") ? Instructions::kAvx2 : Instructions::kPortable;
+#if defined(YORB_AVX2)
+  const bool can = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return can ? Instructions::kAvx2 : Instructions::kPortable;
 #else
   return Instructions::kPortable;
 #endif
