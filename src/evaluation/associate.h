@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "core/time.h"
@@ -17,10 +16,14 @@ struct StampPair {
   friend bool operator==(const StampPair& a, const StampPair& b) { return a.first == b.first && a.second == b.second; }
 };
 
-/// Pairs stamps one to one, the nearest first, strictly nearer than `max_difference_ns` (TUM's rule; of equally near
-/// pairs the earlier first stamp, then the earlier second one). Both lists rise strictly. In the order of time, in
-/// O(n log n) however wide the tolerance.
+/// Seconds as TUM's scripts hold them: the nearest double. Where two stamps are equally near a third to the digit, its
+/// rounding decides which is taken, and that moves the sixth digit of published figures (the RPE of fr2_desk).
+double TumSeconds(Timestamp stamp);
+
+/// Pairs stamps one to one, the nearest first, strictly nearer than `max_difference` seconds, with `offset` seconds
+/// added to the second list (TUM's rule; of equally near pairs the earlier first stamp, then the earlier second one).
+/// Both lists rise strictly. The pairs come in the order of time, in O(n log n) however wide the tolerance.
 std::vector<StampPair> AssociateStamps(const std::vector<Timestamp>& first, const std::vector<Timestamp>& second,
-                                       int64_t max_difference_ns);
+                                       double max_difference, double offset = 0);
 
 }  // namespace yorb

@@ -23,10 +23,10 @@ AbsoluteError ComputeAbsoluteError(const Trajectory& reference, const Trajectory
   return result;
 }
 
-std::vector<Timestamp> StampsOf(const Trajectory& trajectory, int64_t offset_ns) {
+std::vector<Timestamp> StampsOf(const Trajectory& trajectory) {
   std::vector<Timestamp> stamps;
   stamps.reserve(trajectory.size());
-  for (const StampedPose& pose : trajectory) stamps.push_back({pose.timestamp.ns + offset_ns});
+  for (const StampedPose& pose : trajectory) stamps.push_back(pose.timestamp);
   return stamps;
 }
 

@@ -25,7 +25,7 @@ struct AbsoluteError {
 AbsoluteError ComputeAbsoluteError(const Trajectory& reference, const Trajectory& estimate,
                                    const std::vector<StampPair>& pairs, EvalAlign align);
 
-/// The stamps of a trajectory, `offset_ns` added.
-std::vector<Timestamp> StampsOf(const Trajectory& trajectory, int64_t offset_ns = 0);
+/// The stamps of a trajectory.
+std::vector<Timestamp> StampsOf(const Trajectory& trajectory);
 
 }  // namespace yorb

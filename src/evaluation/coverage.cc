@@ -14,7 +14,7 @@
 namespace yorb {
 namespace {
 
-constexpr int64_t kMaxDifference_ns = 20000000;
+constexpr double kMaxDifference = 0.02;  // seconds
 
 bool Names(std::string_view path, const char* word) {
   std::string lower(path);
@@ -59,9 +59,9 @@ Result<std::vector<Timestamp>> ReadColourStamps(const std::string& folder) {
   return stamps;
 }
 
-double CoverageOf(const std::vector<Timestamp>& pictures, const Trajectory& estimate) {
+double CoverageOf(const std::vector<Timestamp>& pictures, const Trajectory& estimate, double offset) {
   if (pictures.empty()) return 0;
-  const size_t covered = AssociateStamps(pictures, StampsOf(estimate), kMaxDifference_ns).size();
+  const size_t covered = AssociateStamps(pictures, StampsOf(estimate), kMaxDifference, offset).size();
   return static_cast<double>(covered) / static_cast<double>(pictures.size());
 }
 

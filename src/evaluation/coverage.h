@@ -15,7 +15,8 @@ namespace yorb {
 /// The pictures themselves are not looked for. Bad input where neither list is there, or a line has no stamp.
 Result<std::vector<Timestamp>> ReadColourStamps(const std::string& folder);
 
-/// The share of the pictures that have a pose within 20 ms, each pose counted once; 0 to 1.
-double CoverageOf(const std::vector<Timestamp>& pictures, const Trajectory& estimate);
+/// The share of the pictures that have a pose within 20 ms, each pose counted once; 0 to 1. `offset` seconds are added
+/// to the poses' stamps.
+double CoverageOf(const std::vector<Timestamp>& pictures, const Trajectory& estimate, double offset = 0);
 
 }  // namespace yorb

@@ -12,7 +12,6 @@ namespace yorb {
 namespace {
 
 constexpr double kLongestOffset = 4e9;  // seconds; sums with any stamp stay whole
-constexpr double kLongestDifference = 9e9;
 constexpr size_t kLeastPairs = 3;
 constexpr double kManyOdd = 0.05;  // share of odd RPE pairs worth a word
 constexpr double kLongStep = 10;   // seconds between frames: rather counts or another unit
@@ -63,20 +62,21 @@ void WarnOfDegeneracy(Evaluation& evaluation) {
   }
 }
 
-std::optional<double> CoverageOf(const Trajectory& estimate, const EvalOptions& options, int64_t offset_ns,
-                                 std::vector<std::string>& warnings, const std::string& path) {
+/// Fills in the coverage, where the sequence is known.
+std::optional<double> Coverage(const ReadTrajectory& estimate, const EvalOptions& options,
+                               std::vector<std::string>& warnings) {
   if (options.pictures) {
     // The pictures' clock is mostly the estimate's own; where it is the reference's, the offset leads to it.
-    Trajectory shifted = estimate;
-    for (StampedPose& pose : shifted) pose.timestamp.ns += offset_ns;
-    return std::max(yorb::CoverageOf(*options.pictures, estimate), yorb::CoverageOf(*options.pictures, shifted));
+    return std::max(CoverageOf(*options.pictures, estimate.poses),
+                    CoverageOf(*options.pictures, estimate.poses, options.time_offset));
   }
   if (!options.num_frames) return std::nullopt;
-  if (estimate.size() > *options.num_frames) {
-    warnings.push_back(path + ": " + std::to_string(estimate.size()) + " poses are more than --frames " +
+  const size_t num_poses = estimate.poses.size();
+  if (num_poses > *options.num_frames) {
+    warnings.push_back(estimate.path + ": " + std::to_string(num_poses) + " poses are more than --frames " +
                        std::to_string(*options.num_frames) + "; coverage counts as 1");
   }
-  return std::min(1.0, static_cast<double>(estimate.size()) / static_cast<double>(*options.num_frames));
+  return std::min(1.0, static_cast<double>(num_poses) / static_cast<double>(*options.num_frames));
 }
 
 }  // namespace
@@ -86,7 +86,6 @@ Status Validate(const EvalOptions& options) {
   if (!is_positive(options.rpe_delta)) return BadInput("--rpe-delta must be a finite number above 0");
   if (!is_positive(options.max_difference))
     return BadInput("--max-difference must be a finite number of seconds above 0");
-  if (options.max_difference > kLongestDifference) return BadInput("--max-difference must be below 9e9 seconds");
   if (!(std::abs(options.time_offset) <= kLongestOffset))
     return BadInput("--time-offset must be a finite number of seconds, at most 4e9");
   if (options.num_frames && *options.num_frames == 0) return BadInput("--frames must be 1 or more");
@@ -104,8 +103,8 @@ Result<Evaluation> Evaluate(const ReadTrajectory& reference, const ReadTrajector
   result.estimate_path = estimate.path;
   result.estimate = estimate.poses;
   result.warnings = estimate.warnings;
-  result.pairs = AssociateStamps(StampsOf(reference.poses), StampsOf(estimate.poses, offset_ns),
-                                 Nanoseconds(options.max_difference));
+  result.pairs =
+      AssociateStamps(StampsOf(reference.poses), StampsOf(estimate.poses), options.max_difference, options.time_offset);
   if (result.pairs.empty()) return NothingInCommon(reference, estimate, options);
   if (result.pairs.size() < kLeastPairs) {
     return BadInput(estimate.path + ": only " + std::to_string(result.pairs.size()) + " of " +
@@ -114,14 +113,15 @@ Result<Evaluation> Evaluate(const ReadTrajectory& reference, const ReadTrajector
   }
   result.ate = ComputeAbsoluteError(reference.poses, estimate.poses, result.pairs, options.align);
   WarnOfDegeneracy(result);
-  const RpeOptions rpe{options.rpe_delta, options.rpe_unit, result.ate.reference_from_estimate.scale, offset_ns};
+  const RpeOptions rpe{options.rpe_delta, options.rpe_unit, result.ate.reference_from_estimate.scale,
+                       options.time_offset};
   result.rpe = ComputeRelativeError(reference.poses, estimate.poses, rpe);
   if (static_cast<double>(result.rpe.num_odd) > kManyOdd * static_cast<double>(result.rpe.translation.size())) {
     result.warnings.push_back(estimate.path + ": " + std::to_string(result.rpe.num_odd) + " of " +
                               std::to_string(result.rpe.translation.size()) +
                               " RPE pairs are far from the wanted delta apart, at gaps between the poses");
   }
-  result.coverage = CoverageOf(estimate.poses, options, offset_ns, result.warnings, estimate.path);
+  result.coverage = Coverage(estimate, options, result.warnings);
   for (const StampedPose& pose : estimate.poses) {
     result.aligned.push_back(
         {Timestamp{pose.timestamp.ns + offset_ns}, result.ate.reference_from_estimate * pose.world_from_cam});

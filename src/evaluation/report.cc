@@ -14,7 +14,7 @@
 namespace yorb {
 namespace {
 
-constexpr int64_t kMaxDifference_ns = 20000000;
+constexpr double kMaxDifference = 0.02;  // seconds
 constexpr size_t kLeastPairs = 3;
 constexpr int64_t kMargin_ns = 500000000;  // of the reference around the run
 
@@ -74,7 +74,7 @@ Comparison Compare(const RunReport& report) {
   Comparison result;
   result.charts.estimates = {{"estimate", report.trajectory}};
   result.charts.keyframes = report.keyframes;
-  const auto pairs = AssociateStamps(StampsOf(report.reference), StampsOf(report.trajectory), kMaxDifference_ns);
+  const auto pairs = AssociateStamps(StampsOf(report.reference), StampsOf(report.trajectory), kMaxDifference);
   if (pairs.size() < kLeastPairs) return result;
   const AbsoluteError error = ComputeAbsoluteError(report.reference, report.trajectory, pairs, EvalAlign::kSe3);
   result.charts.reference = ReferenceDuring(report);

@@ -16,8 +16,8 @@ enum class RpeUnit { kSeconds, kMetres, kFrames };
 struct RpeOptions {
   double delta = 1;  ///< finite and > 0
   RpeUnit unit = RpeUnit::kSeconds;
-  double scale = 1;       ///< of the estimate, from its Sim(3) alignment
-  int64_t offset_ns = 0;  ///< added to the estimate's stamps
+  double scale = 1;   ///< of the estimate, from its Sim(3) alignment
+  double offset = 0;  ///< seconds, added to the estimate's stamps
 };
 
 /// The relative pose error, by the rules of TUM's evaluate_rpe.py with --fixed_delta: each pose of the estimate pairs
