@@ -95,16 +95,17 @@ BundleResult AdjustBundle(const BundleProblem& problem, const BundleOptions& opt
   BundleResult result;
 
   const BundleStructure whole = MakeBundleStructure(problem, is_usable);
-  BundleStepper robust(whole, problem.projection, true);
-  result.initial_cost = robust.Cost(values);
-  Round round = Iterate(robust, options.first_iterations, options.relative_tolerance, should_stop, values);
+  BundleStepper stepper(problem.projection);
+  stepper.Begin(whole, true);
+  result.initial_cost = stepper.Cost(values);
+  Round round = Iterate(stepper, options.first_iterations, options.relative_tolerance, should_stop, values);
   result.iterations = round.iterations;
   std::vector<bool> is_inlier = FindInliers(problem, is_usable, values);
   int left = options.second_iterations;
   for (int k = 0; k < options.second_rounds && left > 0 && !round.was_stopped; ++k) {
     const BundleStructure clean = MakeBundleStructure(problem, is_inlier);
-    BundleStepper plain(clean, problem.projection, false);
-    round = Iterate(plain, left, options.relative_tolerance, should_stop, values);
+    stepper.Begin(clean, false);
+    round = Iterate(stepper, left, options.relative_tolerance, should_stop, values);
     result.iterations += round.iterations;
     left -= round.iterations;
     std::vector<bool> was_inlier = FindInliers(problem, is_usable, values);
@@ -112,7 +113,8 @@ BundleResult AdjustBundle(const BundleProblem& problem, const BundleOptions& opt
     if (is_inlier == was_inlier) break;
   }
   result.was_stopped = round.was_stopped;
-  result.final_cost = robust.Cost(values);
+  stepper.Begin(whole, true);
+  result.final_cost = stepper.Cost(values);
   result.is_outlier = std::move(is_inlier);
   result.is_outlier.flip();
   result.poses = std::move(values.poses);

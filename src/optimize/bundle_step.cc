@@ -37,21 +37,26 @@ bool InverseCholesky(const Eigen::Matrix3d& m, Eigen::Matrix3d& inverse) {
   return std::isfinite(i00 + i11 + i22 + i10 + i20 + i21);
 }
 
+/// `block -= a * b^T`, the innermost work of all, by columns: `a` stays in registers.
+void SubtractOuter(const Eigen::Matrix<double, 6, 3>& a, const Eigen::Matrix<double, 6, 3>& b, Matrix6d& block) {
+  const Vector6d a0 = a.col(0), a1 = a.col(1), a2 = a.col(2);
+  for (int j = 0; j < 6; ++j) block.col(j) -= a0 * b(j, 0) + a1 * b(j, 1) + a2 * b(j, 2);
+}
+
 }  // namespace
 
-BundleStepper::BundleStepper(const BundleStructure& structure, const Projection& projection, bool use_huber)
-    : structure_(structure),
-      projection_(projection),
-      use_huber_(use_huber),
-      pose_hessians_(structure.free_poses.size()),
-      pose_gradients_(structure.free_poses.size()),
-      point_blocks_(structure.points.size()),
-      link_blocks_(structure.links.size()),
-      eliminated_(structure.links.size()),
-      solver_(structure.pattern) {
+void BundleStepper::Begin(const BundleStructure& structure, bool use_huber) {
+  structure_ = &structure;
+  use_huber_ = use_huber;
+  pose_hessians_.resize(structure.free_poses.size());
+  pose_gradients_.resize(structure.free_poses.size());
+  point_blocks_.resize(structure.points.size());
+  link_blocks_.resize(structure.links.size());
+  eliminated_.resize(structure.links.size());
   system_.pattern = structure.pattern;
   system_.blocks.resize(structure.pattern.blocks.size());
   system_.right.resize(structure.pattern.size);
+  solver_ = ReducedSolver(structure.pattern);
 }
 
 void BundleStepper::SetRotations(const BundleValues& values) {
@@ -66,10 +71,10 @@ void BundleStepper::SetRotations(const BundleValues& values) {
 double BundleStepper::Cost(const BundleValues& values) {
   SetRotations(values);
   double cost = 0;
-  for (const BundleStructure::Point& point : structure_.points) {
+  for (const BundleStructure::Point& point : structure_->points) {
     const Eigen::Vector3d& x_in_world = values.points[point.row];
     for (uint32_t k = point.entries_begin; k < point.entries_end; ++k) {
-      const BundleStructure::Entry& entry = structure_.entries[k];
+      const BundleStructure::Entry& entry = structure_->entries[k];
       const Eigen::Vector3d x = rotations_[entry.pose] * x_in_world + translations_[entry.pose];
       const double chi2 = Chi2(x, entry.observation, projection_);
       cost += RobustLoss(chi2, Chi2Bound(entry.observation), use_huber_).cost;
@@ -84,8 +89,8 @@ double BundleStepper::Linearize(const BundleValues& values) {
   std::fill(pose_hessians_.begin(), pose_hessians_.end(), Matrix6d::Zero());
   std::fill(pose_gradients_.begin(), pose_gradients_.end(), Vector6d::Zero());
   std::fill(link_blocks_.begin(), link_blocks_.end(), Matrix63d::Zero());
-  for (size_t k = 0; k < structure_.points.size(); ++k) {
-    const BundleStructure::Point& point = structure_.points[k];
+  for (size_t k = 0; k < structure_->points.size(); ++k) {
+    const BundleStructure::Point& point = structure_->points[k];
     LinearizePoint(point, values.points[point.row], point_blocks_[k]);
   }
   return cost_;
@@ -96,7 +101,7 @@ void BundleStepper::LinearizePoint(const BundleStructure::Point& point, const Ei
   block.hessian.setZero();
   block.gradient.setZero();
   for (uint32_t k = point.entries_begin; k < point.entries_end; ++k) {
-    const BundleStructure::Entry& entry = structure_.entries[k];
+    const BundleStructure::Entry& entry = structure_->entries[k];
     const Eigen::Matrix3d& rotation = rotations_[entry.pose];
     const Eigen::Vector3d x = rotation * x_in_world + translations_[entry.pose];
     const Quadratic q = yorb::Linearize(x, entry.observation, 1.0, use_huber_, projection_);
@@ -127,7 +132,7 @@ bool BundleStepper::Solve(double damping) {
     system_.right[k] = -pose_gradients_[k];
   }
   for (size_t k = 0; k < point_blocks_.size(); ++k) {
-    if (!Eliminate(structure_.points[k], damping, point_blocks_[k])) return false;
+    if (!Eliminate(structure_->points[k], damping, point_blocks_[k])) return false;
   }
   if (!solver_.Solve(system_)) return false;
 
@@ -140,7 +145,7 @@ bool BundleStepper::Solve(double damping) {
   }
   for (size_t k = 0; k < point_blocks_.size(); ++k) {
     PointBlock& block = point_blocks_[k];
-    BackSubstitute(structure_.points[k], block);
+    BackSubstitute(structure_->points[k], block);
     const Eigen::Vector3d scaled = DampingScale(block.hessian).cwiseProduct(block.step);
     decrease += 0.5 * block.step.dot(damping * scaled - block.gradient);
   }
@@ -155,12 +160,12 @@ bool BundleStepper::Eliminate(const BundleStructure::Point& point, double dampin
   block.reduced.noalias() = block.lower_inverse * block.gradient;
   for (uint32_t a = point.links_begin; a < point.links_end; ++a) {
     eliminated_[a].noalias() = link_blocks_[a] * block.lower_inverse.transpose();
-    system_.right[structure_.links[a]].noalias() += eliminated_[a] * block.reduced;
+    system_.right[structure_->links[a]].noalias() += eliminated_[a] * block.reduced;
   }
-  const uint32_t* slot = structure_.pair_slots.data() + point.pairs_begin;
+  const uint32_t* slot = structure_->pair_slots.data() + point.pairs_begin;
   for (uint32_t a = point.links_begin; a < point.links_end; ++a) {
     for (uint32_t b = a; b < point.links_end; ++b) {
-      system_.blocks[*slot++].noalias() -= eliminated_[a] * eliminated_[b].transpose();
+      SubtractOuter(eliminated_[a], eliminated_[b], system_.blocks[*slot++]);
     }
   }
   return true;
@@ -169,18 +174,18 @@ bool BundleStepper::Eliminate(const BundleStructure::Point& point, double dampin
 void BundleStepper::BackSubstitute(const BundleStructure::Point& point, PointBlock& block) const {
   Eigen::Vector3d pull = block.reduced;
   for (uint32_t a = point.links_begin; a < point.links_end; ++a) {
-    pull.noalias() += eliminated_[a].transpose() * solver_.Solution(structure_.links[a]);
+    pull.noalias() += eliminated_[a].transpose() * solver_.Solution(structure_->links[a]);
   }
   block.step.noalias() = -(block.lower_inverse.transpose() * pull);
 }
 
 void BundleStepper::Apply(const BundleValues& from, BundleValues& to) const {
-  for (uint32_t k = 0; k < structure_.free_poses.size(); ++k) {
-    const uint32_t pose = structure_.free_poses[k];
+  for (uint32_t k = 0; k < structure_->free_poses.size(); ++k) {
+    const uint32_t pose = structure_->free_poses[k];
     to.poses[pose] = Rigid3::FromStep(solver_.Solution(k)) * from.poses[pose];
   }
-  for (size_t k = 0; k < structure_.points.size(); ++k) {
-    const uint32_t row = structure_.points[k].row;
+  for (size_t k = 0; k < structure_->points.size(); ++k) {
+    const uint32_t row = structure_->points[k].row;
     to.points[row] = from.points[row] + point_blocks_[k].step;
   }
 }

@@ -15,11 +15,14 @@ struct BundleValues {
   std::vector<Eigen::Vector3d> points;
 };
 
-/// One Levenberg-Marquardt step after another of the same structure; all memory is taken once.
-/// `Linearize`, then `Solve` with falling patience, then `Apply`.
+/// The steps of Levenberg-Marquardt: `Begin`, then again and again `Linearize`, `Solve` (with more damping where the
+/// step fails) and `Apply`. Memory is taken in `Begin` only.
 class BundleStepper {
  public:
-  BundleStepper(const BundleStructure& structure, const Projection& projection, bool use_huber);
+  explicit BundleStepper(const Projection& projection) : projection_(projection) {}
+
+  /// Takes up a structure, which must outlive the steps.
+  void Begin(const BundleStructure& structure, bool use_huber);
 
   /// The cost of the values: half the (robust) chi-square.
   double Cost(const BundleValues& values);
@@ -51,9 +54,9 @@ class BundleStepper {
   bool Eliminate(const BundleStructure::Point& point, double damping, PointBlock& block);
   void BackSubstitute(const BundleStructure::Point& point, PointBlock& block) const;
 
-  const BundleStructure& structure_;
   const Projection projection_;
-  const bool use_huber_;
+  const BundleStructure* structure_ = nullptr;
+  bool use_huber_ = false;
   std::vector<Eigen::Matrix3d> rotations_;  // a row a pose of the problem
   std::vector<Eigen::Vector3d> translations_;
   std::vector<Matrix6d> pose_hessians_;  // a row a free pose; the upper half

@@ -24,8 +24,15 @@ void PoseCeres(benchmark::State& state) {
 }
 BENCHMARK(PoseCeres)->Unit(benchmark::kMicrosecond);
 
+/// 20 keyframes, 2000 points.
+WorldProblem LocalWorld() {
+  WorldOptions options;
+  options.range = 5.2;
+  return MakeWorld(options);
+}
+
 void Bundle(benchmark::State& state) {
-  const WorldProblem world = MakeWorld({});
+  const WorldProblem world = LocalWorld();
   BundleResult result;
   for (auto _ : state) result = AdjustBundle(world.problem, {});
   state.counters["observations"] = static_cast<double>(world.problem.seen.size());
@@ -35,7 +42,7 @@ void Bundle(benchmark::State& state) {
 BENCHMARK(Bundle)->Unit(benchmark::kMillisecond);
 
 void BundleCeres(benchmark::State& state) {
-  const WorldProblem world = MakeWorld({});
+  const WorldProblem world = LocalWorld();
   const std::vector<bool> all(world.problem.seen.size(), true);
   CeresBundleResult result;
   for (auto _ : state) result = CeresAdjustBundle(world.problem, all, true, 1e-6);

@@ -29,6 +29,7 @@ struct ReducedSystem {
 /// Solves reduced systems of one pattern, without allocating anything from one to the next.
 class ReducedSolver {
  public:
+  ReducedSolver() = default;
   explicit ReducedSolver(const BlockPattern& pattern);
 
   /// False when the matrix is not positive definite or the solution not finite; else `Solution` holds it.
