@@ -16,13 +16,71 @@ const char* const kChartReferenceColor = "#8a8f98";
 
 namespace {
 
-constexpr double kCharacter_px = 6.6;  // mean width of a letter at the size of labels
-constexpr double kTop_px = 40, kBottom_px = 46, kRight_px = 18;
-constexpr double kTickEvery_x_px = 85, kTickEvery_y_px = 42;
+constexpr double kCharacter_px = 6.0;  // mean width of a letter at the size of labels
+constexpr double kLeft_px = 80, kTop_px = 40, kBottom_px = 46, kRight_px = 18;
+constexpr double kLegendRow_px = 18, kSample_px = 25, kEntryGap_px = 18, kTitleLetter_px = 8.5;
+constexpr double kTickEvery_x_px = 85, kTickEvery_y_px = 27;
 const char* const kInk = "class=\"ink\" fill=\"#1f2430\"";
 const char* const kFaintInk = "class=\"faint\" fill=\"#5b6270\" font-size=\"12\"";
 const char* const kGrid = "class=\"grid\" stroke=\"#e3e6eb\" stroke-width=\"1\"";
 const char* const kFrame = "class=\"frame\" stroke=\"#9aa1ad\" stroke-width=\"1\"";
+
+/// How many letters a UTF-8 text shows.
+double Letters(const std::string& text) {
+  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+std::string ColorOf(const Chart& chart, size_t index) {
+  if (!chart.series[index].color.empty()) return chart.series[index].color;
+  return ChartPalette()[index % ChartPalette().size()];
+}
+
+std::string StrokeOf(const ChartSeries& series, const std::string& color) {
+  return "fill=\"none\" stroke=\"" + color + "\" stroke-width=\"" + SvgNumber(series.width_px) +
+         "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
+         (series.is_dashed ? " stroke-dasharray=\"5 4\"" : "");
+}
+
+/// What the legend says of one series or one kind of band.
+struct LegendEntry {
+  std::string name, color;
+  enum class Sample { kLine, kDot, kBox } sample = Sample::kLine;
+  std::string stroke;
+
+  double Width() const { return kSample_px + kCharacter_px * Letters(name) + kEntryGap_px; }
+};
+
+std::vector<LegendEntry> Legend(const Chart& chart) {
+  std::vector<LegendEntry> entries;
+  for (size_t i = 0; i < chart.series.size(); ++i) {
+    const ChartSeries& series = chart.series[i];
+    const std::string color = ColorOf(chart, i);
+    const auto sample = series.is_dots ? LegendEntry::Sample::kDot : LegendEntry::Sample::kLine;
+    if (!series.name.empty()) entries.push_back({series.name, color, sample, StrokeOf(series, color)});
+  }
+  for (const ChartBand& band : chart.bands) {
+    const auto is_same = [&](const LegendEntry& entry) { return entry.name == band.name; };
+    if (band.name.empty() || std::any_of(entries.begin(), entries.end(), is_same)) continue;
+    entries.push_back({band.name, band.color, LegendEntry::Sample::kBox, ""});
+  }
+  return entries;
+}
+
+/// The legend in rows from the top right, the first beside the title.
+std::vector<std::vector<LegendEntry>> LegendRows(const Chart& chart) {
+  const double whole = chart.width_px - kLeft_px - kRight_px;
+  std::vector<std::vector<LegendEntry>> rows(1);
+  double room = whole - kTitleLetter_px * Letters(chart.title);
+  for (const LegendEntry& entry : Legend(chart)) {
+    if (entry.Width() > room && (!rows.back().empty() || rows.size() == 1)) {
+      rows.emplace_back();
+      room = whole;
+    }
+    room -= entry.Width();
+    rows.back().push_back(entry);
+  }
+  return rows;
+}
 
 /// Where the two axes lie on the drawing.
 struct Plot {
@@ -53,21 +111,21 @@ void Widen(AxisRange& range, double length) {
 
 Plot LayOut(const Chart& chart) {
   Plot plot;
-  plot.top = kTop_px;
-  plot.height = chart.height_px - kTop_px - kBottom_px;
+  plot.top = kTop_px + kLegendRow_px * static_cast<double>(LegendRows(chart).size() - 1);
+  plot.height = std::max(1.0, chart.height_px - plot.top - kBottom_px);
   plot.x = RangeOfAll(chart, &ChartSeries::x, chart.is_equal_aspect ? 0.05 : 0.0);
+  if (chart.x_range) plot.x = *chart.x_range;
   plot.y = RangeOfAll(chart, &ChartSeries::y, 0.06);
   if (chart.is_from_zero) plot.y.low = std::min(0.0, plot.y.low);
   if (chart.is_from_zero && plot.y.high <= plot.y.low) plot.y.high = plot.y.low + 1;
-  const double wide = chart.width_px - 80 - kRight_px;  // before the width of the labels is known
+  const double wide = chart.width_px - kLeft_px - kRight_px;
   if (chart.is_equal_aspect) {
     const double metres_a_px = std::max(plot.x.Length() / wide, plot.y.Length() / plot.height);
     Widen(plot.x, metres_a_px * wide);
     Widen(plot.y, metres_a_px * plot.height);
   }
-  if (!chart.series.empty())
-    plot.y_ticks = NiceTicks(plot.y, std::max(2, static_cast<int>(plot.height / kTickEvery_y_px)));
-  plot.left = 80;
+  if (!chart.series.empty()) plot.y_ticks = NiceTicks(plot.y, std::max(3, static_cast<int>(plot.height / every_px)));
+  plot.left = kLeft_px;
   plot.width = wide;
   plot.x_ticks = NiceTicks(plot.x, std::max(2, static_cast<int>(plot.width / kTickEvery_x_px)));
   return plot;
@@ -93,17 +151,6 @@ void DrawAxes(const Chart& chart, const Plot& plot, SvgCanvas& canvas) {
   canvas.Text(
       side, chart.y_label, SvgAnchor::kMiddle,
       std::string(kFaintInk) + " transform=\"rotate(-90 " + SvgNumber(side.x) + ' ' + SvgNumber(side.y) + ")\"");
-}
-
-std::string ColorOf(const Chart& chart, size_t index) {
-  if (!chart.series[index].color.empty()) return chart.series[index].color;
-  return ChartPalette()[index % ChartPalette().size()];
-}
-
-std::string StrokeOf(const ChartSeries& series, const std::string& color) {
-  return "fill=\"none\" stroke=\"" + color + "\" stroke-width=\"" + SvgNumber(series.width_px) +
-         "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
-         (series.is_dashed ? " stroke-dasharray=\"5 4\"" : "");
 }
 
 /// The stretches between lifts of the pen, in pixels.
@@ -137,58 +184,32 @@ void DrawSeries(const ChartSeries& series, const std::string& color, const Plot&
   }
 }
 
-/// How many letters a UTF-8 text shows.
-double Letters(const std::string& text) {
-  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+void DrawEntry(const LegendEntry& entry, SvgPoint at, SvgCanvas& canvas) {
+  const std::string fill = "fill=\"" + entry.color + '"';
+  switch (entry.sample) {
+    case LegendEntry::Sample::kDot:
+      canvas.Circle({at.x + 13, at.y}, 3, fill);
+      break;
+    case LegendEntry::Sample::kLine:
+      canvas.Line({at.x, at.y}, {at.x + 20, at.y}, entry.stroke);
+      break;
+    case LegendEntry::Sample::kBox:
+      canvas.Rect({at.x + 6, at.y - 6}, 12, 12, fill);
+      break;
+  }
+  canvas.Text({at.x + kSample_px, at.y + 4}, entry.name, SvgAnchor::kStart, kFaintInk);
 }
 
-/// What the legend says of one series or one kind of band.
-struct LegendEntry {
-  std::string name, color;
-  enum class Sample { kLine, kDot, kBox } sample = Sample::kLine;
-  std::string stroke;
-};
-
-std::vector<LegendEntry> Legend(const Chart& chart) {
-  std::vector<LegendEntry> entries;
-  for (size_t i = 0; i < chart.series.size(); ++i) {
-    const ChartSeries& series = chart.series[i];
-    const std::string color = ColorOf(chart, i);
-    const auto sample = series.is_dots ? LegendEntry::Sample::kDot : LegendEntry::Sample::kLine;
-    if (!series.name.empty()) entries.push_back({series.name, color, sample, StrokeOf(series, color)});
-  }
-  for (const ChartBand& band : chart.bands) {
-    const auto is_same = [&](const LegendEntry& entry) { return entry.name == band.name; };
-    if (band.name.empty() || std::any_of(entries.begin(), entries.end(), is_same)) continue;
-    entries.push_back({band.name, band.color, LegendEntry::Sample::kBox, ""});
-  }
-  return entries;
-}
-
-/// In the title's line, from the right; what has no room is left out.
 void DrawLegend(const Chart& chart, const Plot& plot, SvgCanvas& canvas) {
-  constexpr double kSample_px = 20, kGap_px = 18;
-  const double y = kTop_px - 18;
-  const std::vector<LegendEntry> entries = Legend(chart);
-  double x = plot.left + plot.width;
-  for (size_t i = entries.size(); i-- > 0;) {
-    const LegendEntry& entry = entries[i];
-    x -= Letters(entry.name) * kCharacter_px + kSample_px + 5;
-    if (x < plot.left + Letters(chart.title) * 8) return;
-    canvas.Text({x + kSample_px + 5, y + 4}, entry.name, SvgAnchor::kStart, kFaintInk);
-    const std::string fill = "fill=\"" + entry.color + '"';
-    switch (entry.sample) {
-      case LegendEntry::Sample::kDot:
-        canvas.Circle({x + 0.7 * kSample_px, y}, 3, fill);
-        break;
-      case LegendEntry::Sample::kLine:
-        canvas.Line({x, y}, {x + kSample_px, y}, entry.stroke);
-        break;
-      case LegendEntry::Sample::kBox:
-        canvas.Rect({x + 6, y - 6}, 12, 12, fill);
-        break;
+  double y = kTop_px - 18;
+  for (const std::vector<LegendEntry>& row : LegendRows(chart)) {
+    double x = plot.left + plot.width + kEntryGap_px;
+    for (const LegendEntry& entry : row) x -= entry.Width();
+    for (const LegendEntry& entry : row) {
+      DrawEntry(entry, {x, y}, canvas);
+      x += entry.Width();
     }
-    x -= kGap_px;
+    y += kLegendRow_px;
   }
 }
 
@@ -250,7 +271,7 @@ std::string ChartSheetSvg(const std::string& title, const std::vector<std::vecto
   SvgCanvas sheet;
   DrawPaper(width, y, sheet);
   if (!title.empty())
-    sheet.Text({80, 32}, title, SvgAnchor::kStart, std::string(kInk) + " font-size=\"19\" font-weight=\"600\"");
+    sheet.Text({kLeft_px, 32}, title, SvgAnchor::kStart, std::string(kInk) + " font-size=\"19\" font-weight=\"600\"");
   sheet.Raw(charts.body());
   return sheet.Document(width, y);
 }

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "evaluation/chart_axis.h"
 
 namespace yorb {
 
@@ -28,8 +31,9 @@ struct Chart {
   std::string title, x_label, y_label;
   std::vector<ChartSeries> series;
   std::vector<ChartBand> bands;
-  bool is_equal_aspect = false;  ///< one metre is as long on both axes: maps, views from above
-  bool is_from_zero = false;     ///< the y axis begins at 0: errors, times, counts
+  bool is_equal_aspect = false;      ///< one metre is as long on both axes: maps, views from above
+  bool is_from_zero = false;         ///< the y axis begins at 0: errors, times, counts
+  std::optional<AxisRange> x_range;  ///< where several charts share their x axis; else what is there
   int width_px = 860, height_px = 340;
 };
 

@@ -228,7 +228,7 @@ std::string EvaluationSvg(const std::vector<Evaluation>& evaluations, const Traj
   }
   std::vector<std::vector<Chart>> rows = {{TopViewChart(input)}};
   for (Chart& chart : CoordinateCharts(input)) rows.push_back({std::move(chart)});
-  rows.push_back({ErrorChart(errors, input.Start())});
+  rows.push_back({ErrorChart(input, errors)});
   std::string title = "ATE RMSE " + LengthText(evaluations[0].ate.summary.rmse) + ", " +
                       std::to_string(evaluations[0].pairs.size()) + " pairs";
   if (evaluations.size() > 1)

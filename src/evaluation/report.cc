@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "evaluation/ate.h"
 #include "evaluation/report_page.h"
+#include "evaluation/rpe.h"
 #include "evaluation/svg.h"
 #include "evaluation/trajectory_charts.h"
 
@@ -47,6 +48,7 @@ struct Comparison {
   TrajectoryChartInput charts;
   NamedErrors errors;
   std::optional<Summary> ate;
+  RelativeError rpe;
 };
 
 Trajectory Aligned(const Alignment& alignment, const Trajectory& trajectory) {
@@ -83,6 +85,7 @@ Comparison Compare(const RunReport& report) {
   for (const StampPair& pair : pairs) result.errors.stamps.push_back(report.trajectory[pair.second].timestamp);
   result.errors.errors = error.errors;
   result.ate = error.summary;
+  result.rpe = ComputeRelativeError(report.reference, report.trajectory, {});
   return result;
 }
 
@@ -113,10 +116,15 @@ std::string ErrorSection(const Comparison& comparison) {
   const Summary& ate = *comparison.ate;
   NamedErrors errors = comparison.errors;
   errors.name.clear();
-  std::string content = ChartSvg(ErrorChart({errors}, comparison.charts.Start()));
+  std::string content = ChartSvg(ErrorChart(comparison.charts, {errors}));
   content += "<p class=\"hint\">After SE(3) alignment, " + std::to_string(ate.count) + " pairs: RMSE " +
              Length(ate.rmse) + ", mean " + Length(ate.mean) + ", median " + Length(ate.median) + ", largest " +
-             Length(ate.max) + ".</p>\n";
+             Length(ate.max) + ".";
+  if (comparison.rpe.translation_summary.count > 0) {
+    content += " Relative error over 1 s: " + Length(comparison.rpe.translation_summary.rmse) + ", " +
+               FormatFixed(comparison.rpe.rotation_summary.rmse, 3) + " degrees (RMSE).";
+  }
+  content += "</p>\n";
   return ReportSection("Error against the reference", content);
 }
 
@@ -182,7 +190,8 @@ std::string StageTable(const std::vector<ReportStage>& stages) {
     table += "<td>" + std::to_string(stage.count) + "</td><td class=\"bar\"><div class=\"track\">" +
              bar("p95", stage.p95_ms) + bar("median", stage.median_ms) + "</div></td></tr>\n";
   }
-  return table + "</table></div>\n<p class=\"hint\">Bars: median dark, 95 % light.</p>\n";
+  return table +
+         "</table></div>\n<p class=\"hint\">Bars: the median, and pale behind it the time that 95 % stay within.</p>\n";
 }
 
 std::string TimeSection(const RunReport& report) {

@@ -9,8 +9,8 @@ namespace yorb {
 const char* ReportStyle() {
   return R"(
 :root{--ink:#1f2430;--faint:#5b6270;--paper:#ffffff;--ground:#f4f5f8;--line:#e3e6eb;--frame:#9aa1ad;--accent:#0072b2;--soft:#b9d9ea}
-@media (prefers-color-scheme:dark){:root{--ink:#e8eaf0;--faint:#a3aab8;--paper:#1c2029;--ground:#12151b;--line:#323846;--frame:#5d6575;--accent:#4ba3d6;--soft:#274a5e}}
-@media print{:root{--ink:#1f2430;--faint:#5b6270;--paper:#fff;--ground:#fff;--line:#e3e6eb;--frame:#9aa1ad;--accent:#0072b2;--soft:#b9d9ea}}
+@media screen and (prefers-color-scheme:dark){:root{--ink:#e8eaf0;--faint:#a3aab8;--paper:#1c2029;--ground:#12151b;--line:#323846;--frame:#5d6575;--accent:#4ba3d6;--soft:#274a5e}
+svg [stroke="#0072b2"]{stroke:#4ba3d6}svg [fill="#0072b2"]{fill:#4ba3d6}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--ground);color:var(--ink);font:15px/1.5 "Helvetica Neue",Helvetica,Arial,"Liberation Sans","DejaVu Sans",sans-serif;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main{max-width:960px;margin:0 auto;padding:28px 20px 40px}

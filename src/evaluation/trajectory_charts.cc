@@ -13,6 +13,7 @@ namespace {
 constexpr int kMapHeight_px = 520, kCoordinateHeight_px = 210, kErrorHeight_px = 260;
 constexpr double kShortestGap = 0.5;  // seconds without a pose that are drawn as a gap
 constexpr double kGapSteps = 8;       // ... or so many usual steps, where poses are rare
+constexpr size_t kMostNamesBelow = 3;
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 
 double GapOf(const std::vector<double>& time) {
@@ -56,8 +57,17 @@ int FlatAxis(const Trajectory& poses) {
   return static_cast<int>(axis);
 }
 
-/// The colour of an estimate is the same in every chart.
-const std::string& EstimateColor(size_t index) { return ChartPalette()[index % ChartPalette().size()]; }
+/// An estimate looks the same in every chart; where the palette is used up, lines are dashed.
+ChartSeries EstimateStyle(ChartSeries series, size_t index) {
+  series.color = ChartPalette()[index % ChartPalette().size()];
+  series.is_dashed = index >= ChartPalette().size();
+  return series;
+}
+
+/// The name in the charts below the path: many are named there alone.
+std::string NameBelow(const std::string& name, size_t num_estimates) {
+  return num_estimates <= kMostNamesBelow ? name : std::string();
+}
 
 }  // namespace
 
@@ -68,6 +78,16 @@ Timestamp TrajectoryChartInput::Start() const {
     if (!estimate.poses.empty()) start = std::min(start, estimate.poses.front().timestamp);
   }
   return start;
+}
+
+AxisRange TrajectoryChartInput::TimeRange() const {
+  Timestamp last = Start();
+  if (!reference.empty()) last = std::max(last, reference.back().timestamp);
+  for (const NamedTrajectory& estimate : estimates) {
+    if (!estimate.poses.empty()) last = std::max(last, estimate.poses.back().timestamp);
+  }
+  const double length = SecondsBetween(Start(), last);
+  return {0, length > 0 ? length : 1};
 }
 
 Chart TopViewChart(const TrajectoryChartInput& input) {
@@ -85,8 +105,8 @@ Chart TopViewChart(const TrajectoryChartInput& input) {
   chart.height_px = kMapHeight_px;
   if (has_reference) chart.series.push_back(ReferenceStyle(PathSeries("reference", input.reference, right, up)));
   for (size_t i = 0; i < input.estimates.size(); ++i) {
-    chart.series.push_back(PathSeries(input.estimates[i].name, input.estimates[i].poses, right, up));
-    chart.series.back().color = EstimateColor(i);
+    const NamedTrajectory& estimate = input.estimates[i];
+    chart.series.push_back(EstimateStyle(PathSeries(estimate.name, estimate.poses, right, up), i));
   }
   if (!input.keyframes.empty()) {
     ChartSeries keyframes{"keyframes", Coordinate(input.keyframes, right), Coordinate(input.keyframes, up)};
@@ -111,22 +131,26 @@ std::vector<Chart> CoordinateCharts(const TrajectoryChartInput& input) {
     chart.x_label = "time [s]";
     chart.y_label = std::string(kAxisNames[axis]) + " [m]";
     chart.height_px = kCoordinateHeight_px;
+    chart.x_range = input.TimeRange();
     if (!input.reference.empty()) chart.series.push_back(ReferenceStyle(series("reference", input.reference, axis)));
     for (size_t i = 0; i < input.estimates.size(); ++i) {
-      chart.series.push_back(series(input.estimates[i].name, input.estimates[i].poses, axis));
-      chart.series.back().color = EstimateColor(i);
+      const NamedTrajectory& estimate = input.estimates[i];
+      const std::string name = NameBelow(estimate.name, input.estimates.size());
+      chart.series.push_back(EstimateStyle(series(name, estimate.poses, axis), i));
     }
     charts.push_back(std::move(chart));
   }
   return charts;
 }
 
-Chart ErrorChart(const std::vector<NamedErrors>& estimates, Timestamp start) {
+Chart ErrorChart(const TrajectoryChartInput& input, const std::vector<NamedErrors>& estimates) {
+  const Timestamp start = input.Start();
   Chart chart;
   chart.title = "Absolute error over time";
   chart.x_label = "time [s]";
   chart.is_from_zero = true;
   chart.height_px = kErrorHeight_px;
+  chart.x_range = input.TimeRange();
   double largest = 0;
   for (const NamedErrors& estimate : estimates) {
     for (const double error : estimate.errors) largest = std::max(largest, error);
@@ -137,8 +161,8 @@ Chart ErrorChart(const std::vector<NamedErrors>& estimates, Timestamp start) {
     std::vector<double> time, errors;
     for (const Timestamp stamp : estimates[i].stamps) time.push_back(SecondsBetween(start, stamp));
     for (const double error : estimates[i].errors) errors.push_back(unit * error);
-    chart.series.push_back(SeriesWithGaps(estimates[i].name, time, GapOf(time), time, errors));
-    chart.series.back().color = EstimateColor(i);
+    const std::string name = NameBelow(estimates[i].name, estimates.size());
+    chart.series.push_back(EstimateStyle(SeriesWithGaps(name, time, GapOf(time), time, errors), i));
   }
   return chart;
 }

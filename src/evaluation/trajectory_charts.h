@@ -31,6 +31,9 @@ struct TrajectoryChartInput {
 
   /// Zero of the time axes: the first stamp of all.
   Timestamp Start() const;
+
+  /// The time axes: seconds from Start() to the last stamp of all.
+  AxisRange TimeRange() const;
 };
 
 /// The path seen along the axis with the least movement, which is from above for a camera that is carried or driven.
@@ -39,7 +42,7 @@ Chart TopViewChart(const TrajectoryChartInput& input);
 /// x, y and z over time.
 std::vector<Chart> CoordinateCharts(const TrajectoryChartInput& input);
 
-/// The absolute error over time; `start` is the zero of the axis.
-Chart ErrorChart(const std::vector<NamedErrors>& estimates, Timestamp start);
+/// The absolute error over time, on the time axis of `input`.
+Chart ErrorChart(const TrajectoryChartInput& input, const std::vector<NamedErrors>& estimates);
 
 }  // namespace yorb
