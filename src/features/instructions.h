@@ -3,8 +3,8 @@
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__)
-/// Marks a function that may use AVX2 and FMA intrinsics, whatever the rest of the build targets. Such functions call
-/// no templates of other headers: an inline function compiled for AVX2 could be the one that the linker keeps for all.
+/// Marks a function that may use AVX2 and FMA intrinsics, whatever the rest of the build targets. Each helper needs the
+/// mark; lambdas do not inherit it.
 #define YORB_AVX2 __attribute__((target("avx2,fma")))
 #endif
 

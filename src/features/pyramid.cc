@@ -6,34 +6,68 @@
 #include <cstring>
 
 namespace yorb {
+namespace resize {
+namespace {
 
-void ResizeTaps::Set(int source, int target) {
-  if (source_size == source && static_cast<int>(first.size()) == target) return;
-  source_size = source;
-  first.resize(static_cast<size_t>(target));
-  weight.resize(static_cast<size_t>(target));
+constexpr int kLanes = 8;
+constexpr int kOffset = 32768;  // makes 16-bit values signed, as wide multiplications want them
+
+size_t RoundUp(int count, int multiple) { return static_cast<size_t>((count + multiple - 1) / multiple * multiple); }
+
+}  // namespace
+
+void Taps::Set(int source, int target) {
+  if (source_size == source && size == target) return;
+  source_size = source, size = target;
+  const size_t padded = RoundUp(target, kBlock);
+  first.assign(padded, source - 1);
+  weight.assign(padded, 0);
   const double scale = 1.0 / (static_cast<double>(target) / source);
   for (int i = 0; i < target; ++i) {
     const double position = scale * (i + 0.5) - 0.5;
     const int whole = static_cast<int>(std::floor(position));
-    const bool inside = whole >= 0 && whole < source - 1;
-    const size_t index = static_cast<size_t>(i);
-    first[index] = inside ? whole : (whole < 0 ? 0 : source - 1);
-    weight[index] = inside ? static_cast<uint16_t>(std::lrint((position - whole) * 256)) : uint16_t{0};
+    const bool has_second = whole >= 0 && whole < source - 1;
+    first[static_cast<size_t>(i)] = has_second ? whole : (whole < 0 ? 0 : source - 1);
+    if (has_second) weight[static_cast<size_t>(i)] = static_cast<int16_t>(std::lrint((position - whole) * 256));
+  }
+
+  start.resize(padded / kLanes);
+  first_lane.assign(2 * padded, 0x80);  // 0x80 shuffles a zero in
+  second_lane.assign(2 * padded, 0x80);
+  fits_lanes = true;
+  for (size_t i = 0; i < padded; ++i) {
+    if (i % kLanes == 0) start[i / kLanes] = first[i];
+    const int lane = first[i] - start[i / kLanes];
+    fits_lanes = fits_lanes && lane < 15;
+    first_lane[2 * i] = static_cast<uint8_t>(lane);
+    second_lane[2 * i] = static_cast<uint8_t>(lane + 1);
   }
 }
 
-const uint16_t* Resizer::RowOf(const GreyView& source, int y, Instructions) {
-  const int slot = y & 1;
-  std::vector<uint16_t>& row = row_[slot];
-  if (row_y_[slot] == y) return row.data();
-  row_y_[slot] = y;
-  const uint8_t* from = source.Row(y);
-  for (size_t i = 0; i < columns_.first.size(); ++i) {
-    const uint8_t* pair = from + columns_.first[i];
-    const int weight = columns_.weight[i];
-    row[i] = static_cast<uint16_t>(weight == 0 ? pair[0] * 256 : pair[0] * (256 - weight) + pair[1] * weight);
+void RowPortable(const uint8_t* source, const Taps& taps, int16_t* out) {
+  for (size_t i = 0; i < static_cast<size_t>(taps.size); ++i) {
+    const uint8_t* pair = source + taps.first[i];
+    const int weight = taps.weight[i];
+    const int second = weight == 0 ? 0 : pair[1] - pair[0];  // there may be no pair[1]
+    out[i] = static_cast<int16_t>(pair[0] * 256 + second * weight - kOffset);
   }
+}
+
+void BetweenPortable(const int16_t* upper, const int16_t* lower, int weight, int width, uint8_t* out) {
+  for (int x = 0; x < width; ++x) {
+    const int sum = upper[x] * (256 - weight) + lower[x] * weight + kOffset * 256;
+    out[x] = static_cast<uint8_t>((sum + 32768) >> 16);
+  }
+}
+
+}  // namespace resize
+
+const int16_t* Resizer::RowOf(const GreyView& source, int y, Instructions instructions) {
+  std::vector<int16_t>& row = row_[y % 2];
+  if (row_y_[y % 2] == y) return row.data();
+  row_y_[y % 2] = y;
+  const bool is_wide = instructions == Instructions::kAvx2 && columns_.fits_lanes;
+  (is_wide ? resize::RowAvx2 : resize::RowPortable)(source.Row(y), columns_, row.data());
   return row.data();
 }
 
@@ -42,18 +76,15 @@ GreyView Resizer::Shrink(const GreyView& source, int width, int height, Instruct
   columns_.Set(source.width, width);
   rows_.Set(source.height, height);
   for (int slot = 0; slot < 2; ++slot) {
-    row_[slot].resize(static_cast<size_t>(width));
+    row_[slot].resize(static_cast<size_t>(width + 2 * resize::kBlock));
     row_y_[slot] = -1;
   }
+  const auto between = instructions == Instructions::kAvx2 ? resize::BetweenAvx2 : resize::BetweenPortable;
   for (int y = 0; y < height; ++y) {
-    const int first = rows_.first[static_cast<size_t>(y)];
-    const uint32_t weight = rows_.weight[static_cast<size_t>(y)];
-    const uint16_t* upper = RowOf(source, first, instructions);
-    const uint16_t* lower = weight == 0 ? upper : RowOf(source, first + 1, instructions);
-    uint8_t* out = target_.Row(y);
-    for (int x = 0; x < width; ++x) {
-      out[x] = static_cast<uint8_t>((upper[x] * (256 - weight) + lower[x] * weight + 32768) >> 16);
-    }
+    const int first = rows_.first[static_cast<size_t>(y)], weight = rows_.weight[static_cast<size_t>(y)];
+    const int16_t* upper = RowOf(source, first, instructions);
+    const int16_t* lower = weight == 0 ? upper : RowOf(source, first + 1, instructions);
+    between(upper, lower, weight, width, target_.Row(y));
   }
   return target_.View();
 }

@@ -6,19 +6,9 @@
 
 #include "features/grey_image.h"
 #include "features/instructions.h"
+#include "features/pyramid_rows.h"
 
 namespace yorb {
-
-/// Where each pixel of a smaller row or column comes from: source pixels `first` and `first + 1` (clamped), weighted
-/// 256 - weight and weight. Equal to OpenCV's INTER_LINEAR_EXACT.
-struct ResizeTaps {
-  int source_size = 0;
-  std::vector<int> first;
-  std::vector<uint16_t> weight;  ///< of the second pixel, in 1/256
-
-  /// Does nothing when the sizes are the same as before.
-  void Set(int source, int target);
-};
 
 /// Shrinks by bilinear interpolation with 8-bit weights, rounded to nearest: equal to the bit to
 /// cv::resize(INTER_LINEAR_EXACT).
@@ -28,18 +18,18 @@ class Resizer {
   GreyView Shrink(const GreyView& source, int width, int height, Instructions instructions);
 
  private:
-  const uint16_t* RowOf(const GreyView& source, int y, Instructions instructions);
+  const int16_t* RowOf(const GreyView& source, int y, Instructions instructions);
 
   GreyImage target_;
-  ResizeTaps columns_, rows_;
-  std::vector<uint16_t> row_[2];  ///< two source rows, resized along x, in 1/256 grey levels
+  resize::Taps columns_, rows_;
+  std::vector<int16_t> row_[2];  ///< source rows y, resized along x: row_[y % 2]
   int row_y_[2] = {-1, -1};
 };
 
 /// A picture in ever smaller sizes: level k is 1 / factor^k of the picture, made from level k - 1, as cv::ORB does.
 class Pyramid {
  public:
-  /// Levels too small to hold a single keypoint are left empty.
+  /// Levels of less than a pixel stay empty.
   void Build(const GreyView& picture, int levels, double factor, Instructions instructions);
 
   int levels() const { return static_cast<int>(views_.size()); }
