@@ -15,7 +15,7 @@ build: packages $(RELEASE)/build.ninja  ## build the program, release
 
 test: packages $(RELEASE)/build.ninja  ## build and run all tests, release
 	@$(call BUILD,$(RELEASE))
-	@ctest --test-dir $(RELEASE) --output-on-failure --parallel $(JOBS)
+	@ctest --preset release --parallel $(JOBS)
 
 demo: build  ## render a sequence, run SLAM on it, evaluate, name the report
 	@tools/demo.sh $(YORB) build/demo
@@ -43,12 +43,12 @@ werror: packages  ## release with warnings as errors (stays so for later builds 
 	@$(call BUILD,$(RELEASE))
 
 asan: packages build/dev/build.ninja  ## tests with AddressSanitizer and UBSan
-	@$(call BUILD,build/dev)
+	@cmake --build --preset dev --parallel $(JOBS)
 	@ctest --preset dev --parallel $(JOBS)
 
 tsan: packages build/tsan/build.ninja  ## tests of everything that has threads with ThreadSanitizer
-	@$(call BUILD,build/tsan) --target yorb_threaded_tests
-	@TSAN_OPTIONS="suppressions=$(CURDIR)/tools/tsan.supp" ctest --preset tsan --parallel $(JOBS)
+	@cmake --build --preset tsan --parallel $(JOBS)
+	@ctest --preset tsan --parallel $(JOBS)
 
 tidy: packages $(RELEASE)/build.ninja  ## clang-tidy over all sources
 	@tools/tidy.sh $(RELEASE) $(JOBS)
