@@ -1,9 +1,99 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "apps/command.h"
+#include "apps/progress.h"
+#include "apps/sequence_arguments.h"
+#include "apps/signals.h"
+#include "core/log.h"
+#include "core/text.h"
+#include "evaluation/trajectory_io.h"
+#include "runs/run.h"
 
 namespace yorb {
+namespace {
 
-void AddRunCommand(CLI::App&, Action&) {}
+struct RunArguments {
+  SequenceArguments sequence;
+  std::optional<std::string> out;
+  bool is_quiet = false;
+};
+
+void PrintSummary(const RunSummary& summary) {
+  const double share =
+      summary.frames == 0 ? 0 : 100.0 * static_cast<double>(summary.tracked) / static_cast<double>(summary.frames);
+  std::printf("%zu of %zu frames tracked (%s %%), %zu keyframes, %zu landmarks, %s s\n", summary.tracked,
+              summary.frames, FormatFixed(share, 1).c_str(), summary.keyframes, summary.landmarks,
+              FormatFixed(summary.wall_s, 1).c_str());
+  if (summary.skipped > 0) std::printf("%zu pictures could not be read and were skipped\n", summary.skipped);
+  if (summary.dropped > 0) std::printf("%zu frames came too fast and were dropped\n", summary.dropped);
+  std::printf("results in %s: trajectory.txt keyframes.txt metrics.json frames.csv report.html\n", summary.out.c_str());
+}
+
+/// The truth that lies beside the pictures, for the report alone; a faulty one is no reason not to run.
+Trajectory TruthBeside(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "groundtruth.txt").string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return {};
+  auto truth = ReadTrajectoryFile(path);
+  if (truth) return std::move(truth->poses);
+  LogInfo("left out of the report: " + truth.error().message);
+  return {};
+}
+
+Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
+  auto sequence = OpenSequence(arguments.sequence);
+  if (!sequence) return sequence.error();
+  RunOptions options;
+  options.config = sequence->config;
+  options.out = arguments.out.value_or("");
+  options.title = std::filesystem::path(sequence->folder).lexically_normal().string();
+  options.reference = TruthBeside(sequence->folder);
+  Progress progress(arguments.is_quiet);
+  RunHooks hooks;
+  hooks.should_stop = [] { return CaughtSignal() != 0; };
+  hooks.on_progress = [&](const RunProgress& now) { progress.Show(now.num_done, now.num_frames); };
+  auto summary = RunSequence(*sequence->dataset, options, hooks);
+  progress.End();
+  return summary;
+}
+
+int Run(const RunArguments& arguments) {
+  CatchSignals();
+  if (arguments.out && arguments.out->empty()) return Complain(BadInput("--out is empty; name a folder"));
+  const Status started = StartLog({.keeps_text = true});
+  if (!started) return Complain(started.error());
+  const auto summary = RunAsAsked(arguments);
+  const Status stopped = StopLog();
+  if (!summary) return Complain(summary.error());
+  if (!arguments.is_quiet) PrintSummary(*summary);
+  if (summary->error) return Complain(*summary->error);
+  if (!stopped) return Complain(stopped.error());
+  return summary->was_stopped ? 128 + CaughtSignal() : kExitDone;
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App& program, Action& action) {
+  CLI::App* command =
+      program.add_subcommand("run", "Runs SLAM on a recorded sequence and writes trajectory, figures and report");
+  const auto arguments = std::make_shared<RunArguments>();
+  arguments->sequence.AddTo(*command);
+  command->add_option("--out", arguments->out, "The folder for the results; left out: a new one, yorb_DATE_TIME");
+  command->add_flag("--quiet", arguments->is_quiet, "Nothing on standard output; warnings still go to standard error");
+  command->footer(
+      "Examples:\n"
+      "  yorb run rgbd_dataset_freiburg1_xyz\n"
+      "  yorb run my_room --camera my_camera.yaml --out results\n"
+      "  yorb run my_room --camera tum_fr1 --mode inline --seed 3 --set features.wanted=1500\n"
+      "  yorb run my_room --config results/config.yaml --out again     the same run, to the bit if it was inline\n"
+      "Ctrl-C ends a run early; everything computed so far is written.");
+  command->callback([arguments, &action] { action = [arguments] { return Run(*arguments); }; });
+}
 
 }  // namespace yorb

@@ -1,37 +1,144 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The program: reads the command line and hands over to the chosen subcommand.
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <string>
+#include <vector>
 
 #include "apps/command.h"
+#include "core/text.h"
+#include "runs/version.h"
 
 namespace yorb {
 
 int Complain(const Error& error) {
-  std::fprintf(stderr, "yorb: %s\n", error.message.c_str());
+  std::string line = error.message;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  std::fprintf(stderr, "yorb: %s\n", line.c_str());
   return error.kind == Error::Kind::kBadInput ? kExitBadInput : kExitFailure;
 }
 
-}  // namespace yorb
+namespace {
 
-int main(int argc, char** argv) {
+/// A program that was started without standard streams must not find its result files in their place.
+void OpenMissingStreams() {
+  for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file) {
+    if (::fcntl(file, F_GETFD) == -1 && ::open("/dev/null", O_RDWR) == -1) return;
+  }
+}
+
+/// What the libraries underneath would do on their own: die of a closed pipe or a size limit, print, start threads.
+void CalmLibraries() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  cv::setNumThreads(1);
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
+}
+
+/// The subcommand that the command line got as far as.
+const CLI::App& ChosenCommand(const CLI::App& program) {
+  const CLI::App* chosen = &program;
+  while (!chosen->get_subcommands().empty()) chosen = chosen->get_subcommands().front();
+  return *chosen;
+}
+
+std::vector<std::string> OptionsOf(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> CommandsOf(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
+  return names;
+}
+
+std::string FullName(const CLI::App& command) {
+  return command.get_parent() == nullptr ? command.get_name()
+                                         : FullName(*command.get_parent()) + " " + command.get_name();
+}
+
+/// One line that says what is wrong with the command line.
+std::string Explain(const CLI::App& program, const CLI::ParseError& error) {
+  const CLI::App& command = ChosenCommand(program);
+  const std::string help = " (" + FullName(command) + " --help says more)";
+  const std::vector<std::string> commands = CommandsOf(command);
+  for (const std::string& word : command.remaining()) {
+    if (word.size() < 2 || word.front() != '-') continue;
+    const std::string name = word.substr(0, word.find('='));
+    return name + " is no option of " + FullName(command) + "; did you mean " + NearestWord(name, OptionsOf(command)) +
+           "?" + help;
+  }
+  if (!commands.empty()) {
+    if (command.remaining().empty())
+      return FullName(command) + " needs a command, such as " + FullName(command) + " " + commands.front() + help;
+    const std::string& word = command.remaining().front();
+    return word + " is no command of " + FullName(command) + "; did you mean " + NearestWord(word, commands) + "?" +
+           help;
+  }
+  return FullName(command) + ": " + error.what() + help;
+}
+
+int ReadAndAct(int argc, char** argv) {
   CLI::App program{"yorb: visual SLAM that stays accurate among moving people", "yorb"};
   program.require_subcommand(1);
-  yorb::Action action;
-  yorb::AddRunCommand(program, action);
-  yorb::AddCheckCommand(program, action);
-  yorb::AddEvalCommand(program, action);
-  yorb::AddSynthCommand(program, action);
-  yorb::AddBenchCommand(program, action);
+  program.set_version_flag("--version", std::string("yorb ") + Version(), "Prints the version and ends");
+  program.footer(
+      "Examples:\n"
+      "  yorb run rgbd_dataset_freiburg1_xyz --out results\n"
+      "  yorb eval --reference groundtruth.txt --estimate results/trajectory.txt\n"
+      "  yorb run --help");
+  Action action;
+  AddRunCommand(program, action);
+  AddCheckCommand(program, action);
+  AddEvalCommand(program, action);
+  AddSynthCommand(program, action);
+  AddBenchCommand(program, action);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? yorb::kExitDone : yorb::kExitBadInput;
+    if (error.get_exit_code() == 0) return program.exit(error);  // help or version, on standard output
+    return Complain(BadInput(Explain(program, error)));
   }
+  return action();
+}
+
+/// Whether standard output goes into a pipe whose reader has seen enough (`| head`).
+bool IsReaderGone() {
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&out, 1, 0) > 0 && (out.revents & POLLERR) != 0;
+}
+
+/// Output that was lost, to a full disk say, is no success.
+int CheckOutput(int code) {
+  const bool is_whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (is_whole || code != kExitDone || IsReaderGone()) return code;
+  return Complain(Failure("standard output cannot be written; is the disk full?"));
+}
+
+}  // namespace
+}  // namespace yorb
+
+int main(int argc, char** argv) {
+  yorb::OpenMissingStreams();
+  yorb::CalmLibraries();
   try {
-    return action();
+    return yorb::CheckOutput(yorb::ReadAndAct(argc, argv));
   } catch (const std::exception& error) {
     return yorb::Complain(yorb::Failure(std::string("internal failure: ") + error.what()));
   }

@@ -34,7 +34,9 @@ TEST(Prefetch, EndsInTheMiddleOfAStreamWithoutEnd) {
   for (int run = 0; run < 50; ++run) {
     int made = 0;
     Prefetch<int> numbers([&]() -> std::optional<int> { return made++; }, 2);
-    if (run % 2) EXPECT_EQ(numbers.Next(), 0);
+    if (run % 2 == 1) {
+      EXPECT_EQ(numbers.Next(), 0);
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/stats.h"
 #include "core/text.h"
+#include "runs/stage_json.h"
 #include "runs/version.h"
 
 namespace yorb {
@@ -15,11 +16,6 @@ namespace {
 
 /// The stages that metrics.json always names, in this order; further ones follow by name.
 constexpr const char* kStages[] = {"extract", "detect", "remove", "track", "frame_total", "local_ba"};
-
-ReportStage TimesOf(const std::string& name, const std::vector<double>& ms) {
-  if (ms.empty()) return {name, 0, 0, 0, 0};
-  return {name, Quantile(ms, 0.5), Quantile(ms, 0.95), *std::max_element(ms.begin(), ms.end()), ms.size()};
-}
 
 FrameRow RowWithout(Timestamp time, const char* state) {
   FrameRow row;
@@ -40,20 +36,6 @@ void AppendRow(std::string& text, const FrameRow& row) {
     text += "," + FormatFixed(ms, 3);
   }
   text += "\n";
-}
-
-/// JSON has no word for "not a number".
-nlohmann::ordered_json NumberOrNull(double value) {
-  if (value - value != 0) return nullptr;
-  return value;
-}
-
-nlohmann::ordered_json StageJson(const ReportStage& stage) {
-  const auto number = [&](double value) { return stage.count == 0 ? nlohmann::ordered_json() : NumberOrNull(value); };
-  return {{"median_ms", number(stage.median_ms)},
-          {"p95_ms", number(stage.p95_ms)},
-          {"max_ms", number(stage.max_ms)},
-          {"count", stage.count}};
 }
 
 }  // namespace
@@ -90,6 +72,11 @@ double RunMetrics::Coverage() const {
   return static_cast<double>(tracked) / static_cast<double>(frames);
 }
 
+ReportStage TimesOf(const std::string& name, const std::vector<double>& ms) {
+  if (ms.empty()) return {name, 0, 0, 0, 0};
+  return {name, Quantile(ms, 0.5), Quantile(ms, 0.95), *std::max_element(ms.begin(), ms.end()), ms.size()};
+}
+
 std::vector<ReportStage> StageTimes(const std::map<std::string, std::vector<double>>& stage_ms) {
   std::vector<ReportStage> stages;
   for (const char* name : kStages) {
@@ -104,8 +91,6 @@ std::vector<ReportStage> StageTimes(const std::map<std::string, std::vector<doub
 }
 
 std::string MetricsJson(const RunMetrics& metrics) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const ReportStage& stage : StageTimes(metrics.stage_ms)) stages[stage.name] = StageJson(stage);
   const nlohmann::ordered_json json = {{"frames", metrics.frames},
                                        {"tracked", metrics.tracked},
                                        {"coverage", NumberOrNull(metrics.Coverage())},
@@ -116,7 +101,7 @@ std::string MetricsJson(const RunMetrics& metrics) {
                                        {"wall_s", NumberOrNull(metrics.wall_s)},
                                        {"cpu_s", NumberOrNull(metrics.cpu_s)},
                                        {"peak_rss_mb", NumberOrNull(metrics.peak_rss_mb)},
-                                       {"stages", stages},
+                                       {"stages", StagesJson(StageTimes(metrics.stage_ms))},
                                        {"seed", metrics.seed},
                                        {"mode", metrics.mode},
                                        {"version", Version()},

@@ -44,7 +44,10 @@ struct RunMetrics {
 /// metrics.json: strict JSON, with null where nothing can be said.
 std::string MetricsJson(const RunMetrics& metrics);
 
-/// Median, 95 %, maximum and count of each stage, those that every run has first.
+/// Median, 95 %, maximum and count of one stage's times.
+ReportStage TimesOf(const std::string& name, const std::vector<double>& ms);
+
+/// The same of each stage, those that every run has first.
 std::vector<ReportStage> StageTimes(const std::map<std::string, std::vector<double>>& stage_ms);
 
 }  // namespace yorb

@@ -12,11 +12,18 @@
 namespace yorb {
 namespace {
 
-std::string TextOf(bool value) { return value ? "true" : "false"; }
-std::string TextOf(int value) { return std::to_string(value); }
-std::string TextOf(int64_t value) { return std::to_string(value); }
-std::string TextOf(double value) { return FormatShortest(value); }
-std::string TextOf(const std::string& value) { return value; }
+template <typename T>
+std::string TextOf(const T& value) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    return value;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return value ? "true" : "false";
+  } else if constexpr (std::is_integral_v<T>) {
+    return std::to_string(value);
+  } else {
+    return FormatShortest(value);
+  }
+}
 
 template <typename T>
 std::optional<T> Parse(const std::string& text) {

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/sequence_arguments.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "camera/camera_io.h"
+#include "datasets/open_dataset.h"
+#include "system/config_io.h"
+
+namespace yorb {
+namespace {
+
+/// What stands free on the command line: the one folder, and settings in the manner of `--set a=1 b=2`.
+struct Places {
+  std::string folder;
+  std::vector<std::string> settings;
+};
+
+Result<Places> SortPlaces(const std::vector<std::string>& words) {
+  Places places;
+  std::vector<std::string> folders;
+  for (const std::string& word : words) {
+    std::error_code ignored;
+    const bool is_setting =
+        words.size() > 1 && word.find('=') != std::string::npos && !std::filesystem::exists(word, ignored);
+    (is_setting ? places.settings : folders).push_back(word);
+  }
+  if (folders.empty()) return BadInput("the folder of a sequence is missing");
+  if (folders.size() > 1) return BadInput("one folder is expected, not two: " + folders[0] + " and " + folders[1]);
+  places.folder = folders.front();
+  return places;
+}
+
+/// The settings of the command line in the order in which they are laid over the config file's.
+Result<std::vector<Setting>> SettingsOf(const SequenceArguments& options, const std::vector<std::string>& more) {
+  std::vector<Setting> settings;
+  std::vector<std::string> texts = options.settings;
+  texts.insert(texts.end(), more.begin(), more.end());
+  for (const std::string& text : texts) {
+    auto setting = ParseSetting(text, "--set");
+    if (!setting) return setting.error();
+    settings.push_back(*std::move(setting));
+  }
+  const auto add = [&](const char* key, const std::string& option, const std::optional<std::string>& value) {
+    if (value) settings.push_back({key, *value, option});
+  };
+  add("mode", "--mode", options.mode);
+  add("dynamics", "--dynamics", options.dynamics);
+  add("seed", "--seed", options.seed);
+  add("max_frames", "--max-frames", options.max_frames);
+  return settings;
+}
+
+Result<std::unique_ptr<Dataset>> Open(const std::string& folder, const SequenceArguments& options,
+                                      const std::string& camera_text) {
+  if (!options.camera.empty() || camera_text.empty()) return OpenDataset(folder, options.camera);
+  const auto rig = ParseCameraFile(camera_text, options.config.value_or("") + ", group camera");
+  if (!rig) return rig.error();
+  return OpenDataset(folder, ChosenCamera{*rig, "of the config file", true});
+}
+
+}  // namespace
+
+void SequenceArguments::AddTo(CLI::App& command) {
+  command.add_option("DIR", places, "The folder of the sequence, with rgb.txt and depth.txt or associations.txt")
+      ->required()
+      ->expected(1, -1);
+  command.add_option("--camera", camera,
+                     "A camera file, or tum_fr1, tum_fr2, tum_fr3; may be left out where the folder says which");
+  command.add_option("--config", config,
+                     "A YAML file with the settings that differ from the default (configs/default.yaml lists all)");
+  command.add_option("--set", settings, "One setting, such as features.wanted=1200; may be given often")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  command.add_option("--mode", mode,
+                     "inline: one thread, same seed, same bits; offline (the default): threads, no frame left out; "
+                     "live: at the pace of the time stamps");
+  command.add_option("--dynamics", dynamics, "What is done about moving things: off");
+  command.add_option("--seed", seed, "Of everything that is drawn by chance");
+  command.add_option("--max-frames", max_frames, "Only the first so many colour pictures");
+}
+
+Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
+  OpenedSequence opened;
+  const auto places = SortPlaces(options.places);
+  if (!places) return places.error();
+  opened.folder = places->folder;
+  ConfigFile file;
+  if (options.config) {
+    auto read = ReadConfigFile(*options.config);
+    if (!read) return read.error();
+    file = *std::move(read);
+  }
+  const auto own = SettingsOf(options, places->settings);
+  if (!own) return own.error();
+  std::vector<Setting> settings = file.settings;
+  settings.insert(settings.end(), own->begin(), own->end());
+  auto config = WithSettings(Config(), settings);
+  if (!config) return config.error();
+  opened.config = *std::move(config);
+  const Status valid = ValidateConfig(opened.config);
+  if (!valid) return valid.error();
+  if (opened.config.max_frames == 0 && options.max_frames) return BadInput("--max-frames: 0; at least 1 is expected");
+  auto dataset = Open(opened.folder, options, file.camera_text);
+  if (!dataset) return dataset.error();
+  opened.dataset = *std::move(dataset);
+  return opened;
+}
+
+}  // namespace yorb

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "datasets/dataset.h"
+#include "system/config.h"
+
+namespace yorb {
+
+/// The options of every command that runs SLAM on a sequence, as they were written.
+struct SequenceArguments {
+  std::vector<std::string> places;  ///< DIR, and further key=value after --set
+  std::string camera;               ///< empty: not given
+  std::optional<std::string> config;
+  std::vector<std::string> settings;  ///< of --set
+  std::optional<std::string> mode, dynamics, seed, max_frames;
+
+  /// Adds them to a subcommand, which keeps pointers into this object.
+  void AddTo(CLI::App& command);
+};
+
+/// A sequence that is ready to run.
+struct OpenedSequence {
+  std::string folder;
+  Config config;
+  std::unique_ptr<Dataset> dataset;
+};
+
+/// Reads config file and settings (the options above all, then --set, then --config), and opens the sequence.
+Result<OpenedSequence> OpenSequence(const SequenceArguments& options);
+
+}  // namespace yorb

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/speed.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "runs/test_dataset.h"
+
+namespace yorb {
+namespace {
+
+TEST(Speed, MeasuresEveryFrameAndOpenCvsOrbOnTheSamePictures) {
+  Config config;
+  config.mode = "inline";
+  config.features.wanted = 300;
+  const auto report = MeasureSpeed(WallDataset(8), config, {});
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_EQ(report->frames, 8u);
+  EXPECT_EQ(report->cv_orb.count, 16u);
+  EXPECT_GT(report->Ratio(), 0);
+  EXPECT_THAT(SpeedText(*report), testing::HasSubstr("cv::ORB(1000)"));
+  const auto json = nlohmann::json::parse(SpeedJson(*report));
+  EXPECT_EQ(json["stages"]["frame_total"]["count"], 8);
+  EXPECT_DOUBLE_EQ(json["ratio"].get<double>(), report->Ratio());
+}
+
+TEST(Speed, SaysNullWhereNothingWasMeasured) {
+  const auto json = nlohmann::json::parse(SpeedJson(SpeedReport()));
+  EXPECT_TRUE(json["ratio"].is_null());
+  EXPECT_TRUE(json["cv_orb"]["median_ms"].is_null());
+}
+
+}  // namespace
+}  // namespace yorb

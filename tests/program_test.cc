@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The program from outside: exit codes, complaints, signals, what is written and what is not.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/text.h"
+#include "tests/synthetic_dataset.h"
+
+namespace yorb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// What a call of the program came to.
+struct Outcome {
+  int code = -1;  ///< 128 + n where signal n ended it
+  std::string out, err;
+};
+
+class Program : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::filesystem::remove_all(Folder());
+    SyntheticDataset(12).WriteTo(Folder() + "/room");
+    SyntheticDataset(12).WriteTo(Folder() + "/long", 200);
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(Folder()); }
+  static std::string Folder() { return testing::TempDir() + "program_test_" + std::to_string(::getpid()); }
+  static std::string In(const std::string& name) { return Folder() + "/" + name; }
+
+  /// Starts the program with its output in files.
+  static pid_t Start(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), YORB_PROGRAM);
+    const std::string out = In("stdout"), err = In("stderr");
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    std::vector<char*> raw;
+    for (std::string& argument : arguments) raw.push_back(argument.data());
+    raw.push_back(nullptr);
+    ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
+    ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDERR_FILENO);
+    ::execv(raw[0], raw.data());
+    ::_exit(99);
+  }
+
+  static Outcome WaitFor(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    Outcome outcome;
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    outcome.out = *ReadWholeText(In("stdout"));
+    outcome.err = *ReadWholeText(In("stderr"));
+    return outcome;
+  }
+
+  static Outcome Call(std::vector<std::string> arguments) { return WaitFor(Start(std::move(arguments))); }
+
+  static size_t Lines(const std::string& text) {
+    return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+
+  /// Bad input: exit code 2 and one line that names `word`.
+  static void ExpectRefused(const std::string& word, const std::vector<std::string>& arguments) {
+    const Outcome outcome = Call(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(Lines(outcome.err), 1u) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(word));
+    EXPECT_EQ(outcome.out, "");
+  }
+};
+
+TEST_F(Program, HelpAndVersionAreNoErrors) {
+  for (const char* command : {"run", "check", "eval", "synth", "bench"}) {
+    const Outcome help = Call({command, "--help"});
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_THAT(help.out, HasSubstr("yorb " + std::string(command))) << "examples of use";
+  }
+  EXPECT_EQ(Call({"--help"}).code, 0);
+  EXPECT_THAT(Call({"--version"}).out, HasSubstr("yorb 0."));
+}
+
+TEST_F(Program, WrongCommandLinesAreRefusedInOneLineWithTheNearestKnownWord) {
+  const std::string room = In("room"), out = In("refused");
+  ExpectRefused("needs a command", {});
+  ExpectRefused("run", {"rnu", room});
+  ExpectRefused("--seed", {"run", room, "--sed", "3", "--out", out});
+  ExpectRefused("--sed ", {"run", room, "--sed=3", "--out", out});
+  ExpectRefused("features.detector", {"run", room, "--set", "features.detectr=fixed", "--out", out});
+  ExpectRefused("inlne", {"run", room, "--mode", "inlne", "--out", out});
+  ExpectRefused("--seed", {"run", room, "--seed", "1.5", "--out", out});
+  ExpectRefused("--seed", {"run", room, "--seed", "", "--out", out});
+  ExpectRefused("--max-frames", {"run", room, "--max-frames", "0", "--out", out});
+  ExpectRefused("--max-frames", {"run", room, "--max-frames=-5", "--out", out});
+  ExpectRefused("no_such.yaml", {"run", room, "--config", "no_such.yaml", "--out", out});
+  ExpectRefused("no_such_folder", {"run", "no_such_folder", "--out", out});
+  ExpectRefused("folder", {"run", "--out", out});
+  ExpectRefused("--out", {"run", room, "--out", ""});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST_F(Program, AnUnusableOutputFolderIsRefusedBeforeAnyWork) {
+  ASSERT_TRUE(WriteFileWhole(In("plain"), "mine").ok());
+  ExpectRefused("plain", {"run", In("room"), "--out", In("plain")});
+  ExpectRefused("plain", {"run", In("room"), "--out", In("plain/run")});
+  EXPECT_EQ(*ReadWholeText(In("plain")), "mine");
+}
+
+TEST_F(Program, QuietRunsPrintNothingAndOthersAFewLines) {
+  const Outcome quiet = Call({"run", In("room"), "--mode", "inline", "--out", In("quiet"), "--quiet"});
+  EXPECT_EQ(quiet.code, 0) << quiet.err;
+  EXPECT_EQ(quiet.out, "");
+  const Outcome loud = Call({"run", In("room"), "--mode", "inline", "--out", In("loud")});
+  EXPECT_EQ(loud.code, 0) << loud.err;
+  EXPECT_THAT(Lines(loud.out), AllOf(testing::Ge(2u), testing::Le(8u)));
+}
+
+TEST_F(Program, AnInlineRunIsRepeatedByItsConfigAloneToTheBit) {
+  ASSERT_EQ(Call({"run", In("room"), "--mode", "inline", "--max-frames", "9", "--set", "features.wanted=400",
+                  "levels=6", "--out", In("a")})
+                .code,
+            2);
+  const Outcome first = Call({"run", In("room"), "--mode", "inline", "--max-frames", "9", "--set",
+                              "features.wanted=400", "features.levels=6", "--out", In("a")});
+  ASSERT_EQ(first.code, 0) << first.err;
+  const Outcome again = Call({"run", In("room"), "--config", In("a/config.yaml"), "--out", In("b")});
+  ASSERT_EQ(again.code, 0) << again.err;
+  for (const char* file : {"trajectory.txt", "keyframes.txt", "config.yaml"}) {
+    EXPECT_EQ(*ReadWholeText(In(std::string("a/") + file)), *ReadWholeText(In(std::string("b/") + file))) << file;
+  }
+}
+
+TEST_F(Program, ASignalEndsTheRunWithEverythingWrittenInEachMode) {
+  const std::pair<int, int> signals[] = {{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 143}};
+  int next = 0;
+  for (const char* mode : {"inline", "offline", "live"}) {
+    const auto [number, code] = signals[next++];
+    const std::string out = In(std::string("stopped_") + mode);
+    const pid_t child = Start({"run", In("long"), "--mode", mode, "--out", out});
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    ::kill(child, number);
+    const Outcome outcome = WaitFor(child);
+    EXPECT_EQ(outcome.code, code) << mode << ": " << outcome.err;
+    const auto metrics = nlohmann::json::parse(*ReadWholeText(out + "/metrics.json"));
+    EXPECT_EQ(Lines(*ReadWholeText(out + "/trajectory.txt")), metrics["tracked"].get<size_t>()) << mode;
+    EXPECT_LT(metrics["frames"].get<size_t>(), 2400u) << mode;
+  }
+}
+
+TEST_F(Program, ASignalWhileStartingIsHeededToo) {
+  for (const int wait_ms : {0, 20, 60, 150}) {
+    const pid_t child = Start({"run", In("long"), "--out", In("early")});
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
+    ::kill(child, SIGINT);
+    EXPECT_EQ(WaitFor(child).code, 130) << wait_ms << " ms";
+  }
+}
+
+}  // namespace
+}  // namespace yorb
