@@ -60,14 +60,18 @@ struct OrbExtractor::Scratch {
                                               : quadtree.KeepSinglesAndBest(found, area, wanted);
   }
 
-  void AddLevel(const std::vector<Corner>& corners, int octave, float scale, Features& features) {
+  void AddLevel(const std::vector<Corner>& corners, int octave, Features& features) {
     if (corners.empty()) return;
     const GreyView& level = pyramid.Level(octave);
+    // Centres of pixels are whole numbers, and the levels share their borders, not their first centres: scaling the
+    // bare coordinate would shift the points of level l by (scale - 1) / 2 px, 1.3 px on the eighth.
+    const float x_scale = static_cast<float>(pyramid.Level(0).width) / static_cast<float>(level.width);
+    const float y_scale = static_cast<float>(pyramid.Level(0).height) / static_cast<float>(level.height);
     const GreyView blurred = blur.Apply(level, instructions);
     for (const Corner& corner : corners) {
       Keypoint keypoint;
-      keypoint.x = (static_cast<float>(corner.x) + corner.dx) * scale;
-      keypoint.y = (static_cast<float>(corner.y) + corner.dy) * scale;
+      keypoint.x = (static_cast<float>(corner.x) + corner.dx + 0.5f) * x_scale - 0.5f;
+      keypoint.y = (static_cast<float>(corner.y) + corner.dy + 0.5f) * y_scale - 0.5f;
       keypoint.angle_rad = OrientationOf(level, corner.x, corner.y, instructions);
       keypoint.response = corner.response;
       keypoint.octave = octave;
@@ -96,10 +100,9 @@ Features OrbExtractor::Extract(const cv::Mat& grey) {
   for (int octave = 0; octave < options_.levels; ++octave) {
     const GreyView& level = scratch_->pyramid.Level(octave);
     if (level.width <= 2 * kFeatureBorder || level.height <= 2 * kFeatureBorder) break;
-    const float scale = static_cast<float>(std::pow(options_.scale_factor, octave));
     const std::vector<Corner>& corners =
         scratch_->CornersOfLevel(options_, level, scratch_->shares[static_cast<size_t>(octave)]);
-    scratch_->AddLevel(corners, octave, scale, features);
+    scratch_->AddLevel(corners, octave, features);
   }
   return features;
 }

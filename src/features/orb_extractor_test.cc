@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <opencv2/features2d.hpp>
@@ -26,19 +25,27 @@ float DegreesOf(float angle_rad) {
   return degrees;
 }
 
-std::vector<cv::KeyPoint> ToOpenCv(const Features& features) {
+/// Keypoints at which cv::ORB reads the very pixels of the level that ours were found at: cv::ORB scales bare
+/// coordinates, where we keep the borders of the levels together.
+std::vector<cv::KeyPoint> ToOpenCv(const Features& features, const cv::Size& size) {
   std::vector<cv::KeyPoint> keypoints;
   for (size_t i = 0; i < features.keypoints.size(); ++i) {
     const Keypoint& k = features.keypoints[i];
-    keypoints.emplace_back(k.x, k.y, 31.f, DegreesOf(k.angle_rad), k.response, k.octave, static_cast<int>(i));
+    const float scale = static_cast<float>(std::pow(1.2, k.octave));
+    const auto place = [&](float full, int full_size) {
+      const float level_size = std::rint(static_cast<float>(full_size) / scale);
+      return std::rint((full + 0.5f) * level_size / static_cast<float>(full_size) - 0.5f) * scale;
+    };
+    keypoints.emplace_back(place(k.x, size.width), place(k.y, size.height), 31.f, DegreesOf(k.angle_rad), k.response,
+                           k.octave, static_cast<int>(i));
   }
   return keypoints;
 }
 
 /// How many descriptors differ from cv::ORB's at the same keypoints.
 int CountDifferent(const cv::Mat& picture, const Features& features) {
-  const cv::Ptr<cv::ORB> orb = cv::ORB::create(1000, 1.2f, 8, 19);
-  std::vector<cv::KeyPoint> keypoints = ToOpenCv(features);
+  const cv::Ptr<cv::ORB> orb = cv::ORB::create(1000, 1.2f, 8, 10);  // 10: no point is left out
+  std::vector<cv::KeyPoint> keypoints = ToOpenCv(features, picture.size());
   cv::Mat descriptors;
   orb->compute(picture, keypoints, descriptors);
   EXPECT_EQ(keypoints.size(), features.keypoints.size());
@@ -61,6 +68,97 @@ TEST(OrbExtractor, DescriptorsAreOpenCvsToTheBit) {
     EXPECT_EQ(CountDifferent(picture, features), 0) << "of " << features.keypoints.size();
   }
 }
+
+TEST(OrbExtractor, AnglesAreOpenCvs) {
+  const cv::Mat picture = RectanglesPicture(640, 480, 4);
+  const Features features = OrbExtractor(FeatureOptions()).Extract(picture);
+  std::vector<cv::KeyPoint> theirs;
+  cv::ORB::create(3000, 1.2f, 1, 31, 0, 2, cv::ORB::FAST_SCORE, 31, 5)->detect(picture, theirs);
+  int compared = 0;
+  for (const Keypoint& k : features.keypoints) {
+    for (const cv::KeyPoint& t : theirs) {
+      if (k.octave != 0 || t.pt.x != k.x || t.pt.y != k.y) continue;
+      EXPECT_EQ(k.angle_rad, t.angle * static_cast<float>(CV_PI / 180.f));
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50);
+}
+
+FeatureOptions Options(const std::string& detector, const std::string& distribution) {
+  FeatureOptions options;
+  options.detector = detector;
+  options.distribution = distribution;
+  return options;
+}
+
+void ExpectEqual(const Features& a, const Features& b) {
+  ASSERT_EQ(a.keypoints.size(), b.keypoints.size());
+  for (size_t i = 0; i < a.keypoints.size(); ++i) {
+    EXPECT_EQ(std::memcmp(&a.keypoints[i], &b.keypoints[i], sizeof(Keypoint)), 0);
+    EXPECT_EQ(a.descriptors[i], b.descriptors[i]);
+  }
+}
+
+class OrbExtractorWays : public testing::TestWithParam<FeatureOptions> {};
+
+TEST_P(OrbExtractorWays, GivesWhatIsWantedOnAllLevels) {
+  FeatureOptions options = GetParam();
+  for (const double over : {1.0, 1.5}) {
+    options.over_extraction = over;
+    const Features features = OrbExtractor(options).Extract(RectanglesPicture(640, 480, 5));
+    ASSERT_EQ(features.keypoints.size(), features.descriptors.size());
+    EXPECT_GT(static_cast<double>(features.keypoints.size()), 950 * over);
+    EXPECT_LE(static_cast<double>(features.keypoints.size()), 1000 * over);
+    std::vector<int> counts(8);
+    for (const Keypoint& k : features.keypoints) ++counts[static_cast<size_t>(k.octave)];
+    for (size_t level = 1; level < 8; ++level) {
+      EXPECT_NEAR(counts[level], counts[level - 1] / 1.2, 0.1 * counts[level - 1]) << level;
+    }
+  }
+}
+
+TEST_P(OrbExtractorWays, KeepsAwayFromTheBorder) {
+  const Features features = OrbExtractor(GetParam()).Extract(RectanglesPicture(320, 240, 6));
+  for (const Keypoint& k : features.keypoints) {
+    EXPECT_GE(std::min(k.x, k.y), 18.5);
+    EXPECT_LE(k.x, 320 - 19);
+    EXPECT_LE(k.y, 240 - 19);
+    EXPECT_GT(k.response, 0);
+  }
+}
+
+TEST_P(OrbExtractorWays, TheSamePictureGivesTheSameFeatures) {
+  const cv::Mat picture = RectanglesPicture(640, 480, 7);
+  OrbExtractor used(GetParam()), fresh(GetParam());
+  used.Extract(RectanglesPicture(800, 500, 8));
+  used.Extract(RectanglesPicture(100, 90, 8));
+  const Features first = used.Extract(picture);
+  ExpectEqual(first, fresh.Extract(picture));
+  OrbExtractor moved(std::move(used));
+  ExpectEqual(first, moved.Extract(picture));
+}
+
+TEST_P(OrbExtractorWays, OddPicturesAreNoTrouble) {
+  OrbExtractor extractor(GetParam());
+  for (const cv::Size size :
+       {cv::Size(1, 1), cv::Size(38, 500), cv::Size(39, 39), cv::Size(500, 41), cv::Size(47, 63)}) {
+    extractor.Extract(NoisePicture(size.width, size.height, 9));
+  }
+  EXPECT_TRUE(extractor.Extract(cv::Mat()).keypoints.empty());
+  EXPECT_TRUE(extractor.Extract(cv::Mat(480, 640, CV_8UC1, cv::Scalar(128))).keypoints.empty()) << "nothing to see";
+}
+
+TEST_P(OrbExtractorWays, PartOfALargerPictureIsReadAsIfAlone) {
+  const cv::Mat large = RectanglesPicture(500, 400, 10);
+  const cv::Mat part = large(cv::Rect(60, 40, 320, 240));
+  ExpectEqual(OrbExtractor(GetParam()).Extract(part), OrbExtractor(GetParam()).Extract(part.clone()));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OrbExtractorWays,
+                         testing::Values(Options("fixed", "quadtree"), Options("fixed", "improved"),
+                                         Options("adaptive", "quadtree"), Options("adaptive", "improved")),
+                         [](const auto& way) { return way.param.detector + "_" + way.param.distribution; });
 
 }  // namespace
 }  // namespace yorb

@@ -12,6 +12,18 @@ namespace {
 /// Equation (4): the improved quadtree stops splitting at this share of the wanted corners.
 constexpr double kEnoughNodes = 0.7;
 
+/// Scrambles a place. Scores are whole numbers, so that many corners tie for the last places; by their order the upper
+/// part of the picture would win them all.
+uint32_t Lot(const Corner& corner) {
+  uint32_t lot = static_cast<uint32_t>(corner.x) * 0x9e3779b1u ^ static_cast<uint32_t>(corner.y) * 0x85ebca77u;
+  lot = (lot ^ (lot >> 15)) * 0xc2b2ae3du;
+  return lot ^ (lot >> 16);
+}
+
+bool IsStronger(const Corner& a, const Corner& b) {
+  return a.response != b.response ? a.response > b.response : Lot(a) > Lot(b);
+}
+
 }  // namespace
 
 void Quadtree::Start(const std::vector<Corner>& corners, const CornerArea& area) {
@@ -97,16 +109,14 @@ size_t Quadtree::CountSplittable() const {
 uint32_t Quadtree::BestOf(const std::vector<Corner>& corners, const Node& node) const {
   uint32_t best = order_[node.begin];
   for (uint32_t i = node.begin + 1; i < node.end; ++i) {
-    if (corners[order_[i]].response > corners[best].response) best = order_[i];
+    if (IsStronger(corners[order_[i]], corners[best])) best = order_[i];
   }
   return best;
 }
 
 void Quadtree::KeepStrongest(const std::vector<Corner>& corners, std::vector<uint32_t>& indices, size_t count) const {
   if (indices.size() <= count) return;
-  const auto is_stronger = [&](uint32_t a, uint32_t b) {
-    return corners[a].response != corners[b].response ? corners[a].response > corners[b].response : a < b;
-  };
+  const auto is_stronger = [&](uint32_t a, uint32_t b) { return IsStronger(corners[a], corners[b]); };
   std::nth_element(indices.begin(), indices.begin() + static_cast<ptrdiff_t>(count), indices.end(), is_stronger);
   indices.resize(count);
 }

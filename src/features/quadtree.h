@@ -15,8 +15,8 @@ struct CornerArea {
 };
 
 /// Spreads corners over a picture by splitting it into quarters, and keeps the best. Both ways give at most `wanted`
-/// corners, in the order in which they came; equal responses are told apart by that order too. Results live until the
-/// next call.
+/// corners, in the order in which they came; equal responses are told apart by lot (always the same). Results live
+/// until the next call.
 class Quadtree {
  public:
   /// The original: splits until there are `wanted` nodes (the fullest first when near the end) or no node holds two

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "features/adaptive_fast.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "features/test_pictures.h"
+
+namespace yorb {
+namespace {
+
+GreyImage Padded(const cv::Mat& picture) {
+  GreyImage image;
+  image.Resize(picture.cols, picture.rows);
+  for (int y = 0; y < picture.rows; ++y) std::copy_n(picture.ptr(y), picture.cols, image.Row(y));
+  return image;
+}
+
+cv::Mat Scaled(const cv::Mat& picture, double gain) {
+  cv::Mat scaled;
+  picture.convertTo(scaled, CV_8U, gain);
+  return scaled;
+}
+
+size_t CountFirst(const cv::Mat& picture, CornerOptions options) {
+  options.alpha_low = options.alpha, options.low = options.high;
+  CornerDetector detector;
+  return detector.Detect(Padded(picture).View(), options, BestInstructions()).size();
+}
+
+TEST(CornerDetector, AdaptiveThresholdHoldsTheCountUnderScaledLight) {
+  CornerOptions adaptive, fixed;
+  fixed.is_adaptive = false, fixed.high = 40;
+  adaptive.alpha = 0.4;
+  cv::Mat picture = RectanglesPicture(640, 480, 1, 0);
+  picture = picture * 0.6 + 10;  // nothing reaches white at 140 %
+  const double ours = static_cast<double>(CountFirst(picture, adaptive));
+  const double theirs = static_cast<double>(CountFirst(picture, fixed));
+  ASSERT_GT(ours, 200);
+  for (const double gain : {0.6, 1.4}) {
+    const double our_change = static_cast<double>(CountFirst(Scaled(picture, gain), adaptive)) / ours - 1;
+    const double their_change = static_cast<double>(CountFirst(Scaled(picture, gain), fixed)) / theirs - 1;
+    EXPECT_LT(std::abs(our_change), 0.07) << gain;
+    EXPECT_GT(std::abs(their_change), 0.15) << gain;
+  }
+}
+
+TEST(CornerDetector, FirstThresholdIsEquationThree) {
+  CornerOptions options;
+  options.alpha_low = options.alpha = 0.35;
+  const GreyImage image = Padded(RectanglesPicture(320, 240, 2));
+  CornerDetector detector;
+  Fast fast;
+  std::vector<Corner> expected =
+      fast.Detect(image.View(), {options.noise, options.arc, options.border}, Instructions::kPortable);
+  std::erase_if(expected,
+                [&](const Corner& c) { return c.score + 1 <= 0.35 * TrimmedRingSum(image.View(), c.x, c.y) / 14; });
+  const std::vector<Corner>& found = detector.Detect(image.View(), options, BestInstructions());
+  ASSERT_GT(expected.size(), 50u);
+  EXPECT_NEAR(static_cast<double>(found.size()), static_cast<double>(expected.size()), 1)
+      << "alpha is rounded to 1/4096";
+}
+
+TEST(CornerDetector, OnlyEmptyCellsGetTheSecondThreshold) {
+  // Left: strong squares. Right: weak ones, below the first threshold.
+  cv::Mat picture(200, 400, CV_8UC1, cv::Scalar(100));
+  for (int y = 25; y < 180; y += 15) {
+    for (int x = 25; x < 180; x += 15) cv::rectangle(picture, {x, y, 6, 6}, cv::Scalar(200), cv::FILLED);
+    for (int x = 240; x < 370; x += 15) cv::rectangle(picture, {x, y, 6, 6}, cv::Scalar(112), cv::FILLED);
+  }
+  cv::GaussianBlur(picture, picture, cv::Size(3, 3), 0.8);  // a flat square ties with itself
+  CornerOptions options;
+  options.is_adaptive = false, options.low = 4;
+  CornerDetector detector;
+  const std::vector<Corner>& corners = detector.Detect(Padded(picture).View(), options, BestInstructions());
+  const auto is_weak = [](const Corner& c) { return c.score < 20; };
+  EXPECT_GT(std::count_if(corners.begin(), corners.end(), is_weak), 50);
+  for (const Corner& c : corners) EXPECT_EQ(c.x >= 200, is_weak(c)) << c.x;
+}
+
+}  // namespace
+}  // namespace yorb
