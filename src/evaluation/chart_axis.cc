@@ -45,7 +45,7 @@ AxisRange RangeOf(const std::vector<double>& values, double margin) {
 
 std::vector<double> NiceTicks(const AxisRange& range, int max_count) {
   if (!(range.Length() > 0) || !std::isfinite(range.Length())) return {};
-  double step = NiceStep(range.Length() / std::max(1, max_count));
+  double step = NiceStep(range.Length() / (std::max(1, max_count) + 1));
   const auto count = [&] { return std::floor(range.high / step + 1e-9) - std::ceil(range.low / step - 1e-9) + 1; };
   while (count() > max_count) step = NiceStep(step * 1.5);
   std::vector<double> ticks;
@@ -61,13 +61,13 @@ std::vector<std::string> TickLabels(const std::vector<double>& ticks) {
   std::vector<std::string> labels;
   if (ticks.empty()) return labels;
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : std::max(std::abs(ticks[0]), 1e-12);
-  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  const int decimals = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));  // below 0: whole tens
   const double largest = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
   const bool is_plain = decimals <= kMostDecimals && largest < kLongNumber;
   const int exponent = is_plain ? 0 : static_cast<int>(std::floor(std::log10(largest) + 1e-9));
   for (const double tick : ticks) {
     if (is_plain || tick == 0) {
-      labels.push_back(FormatFixed(tick, is_plain ? decimals : 0));
+      labels.push_back(FormatFixed(tick, is_plain ? std::max(0, decimals) : 0));
     } else {
       labels.push_back(FormatFixed(tick * std::pow(10.0, -exponent), std::clamp(decimals + exponent, 0, 9)) + "e" +
                        std::to_string(exponent));

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/evaluate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "evaluation/coverage.h"
+#include "evaluation/test_trajectories.h"
+
+namespace yorb {
+namespace {
+
+using ::testing::HasSubstr;
+
+ReadTrajectory Named(const std::string& name, Trajectory poses) {
+  ReadTrajectory read;
+  read.path = name;
+  read.poses = std::move(poses);
+  return read;
+}
+
+struct Published {
+  const char *truth, *estimate;
+  size_t pairs;
+  double ate, rpe_m, rpe_deg;
+};
+
+std::string DataFolder() {
+  const char* const given = std::getenv("YORB_DATA");
+  return given != nullptr ? given : std::string(YORB_SOURCE_DIR) + "/../shared/data";
+}
+
+TEST(Evaluate, EqualsTumsScriptsOnPublishedTrajectories) {
+  const std::string data = DataFolder();
+  if (!std::filesystem::exists(data + "/trajectories")) GTEST_SKIP() << "skipped: no data";
+  const Published rows[] = {
+      {"fr1_xyz/groundtruth.txt", "trajectories/freiburg1_xyz-rgbdslam.txt", 786, .013473, .021217, .934480},
+      {"trajectories/fr2_desk_groundtruth.txt", "trajectories/fr2_desk_ORB.txt", 2223, .008144, .007161, .455005},
+      {"trajectories/fr3_walking_xyz_groundtruth.txt", "trajectories/fr3_walking_xyz_estimate.txt", 826, .017920,
+       .023597, .625590}};
+  for (const Published& row : rows) {
+    const auto truth = ReadTrajectoryFile(data + "/" + row.truth),
+               estimate = ReadTrajectoryFile(data + "/" + row.estimate);
+    ASSERT_TRUE(truth && estimate);
+    const auto evaluation = Evaluate(*truth, *estimate, {});
+    ASSERT_TRUE(evaluation) << evaluation.error().message;
+    EXPECT_EQ(evaluation->pairs.size(), row.pairs) << row.estimate;
+    EXPECT_NEAR(evaluation->ate.summary.rmse, row.ate, 5.1e-7) << row.estimate;
+    EXPECT_NEAR(evaluation->rpe.translation_summary.rmse, row.rpe_m, 5.1e-7) << row.estimate;
+    EXPECT_NEAR(evaluation->rpe.rotation_summary.rmse, row.rpe_deg, 5.1e-7) << row.estimate;
+  }
+}
+
+TEST(Evaluate, AnotherWorldMakesNoError) {
+  const Trajectory truth = SmoothWalk(500, 10), walk = SmoothWalk(150, 30);
+  EvalOptions options;
+  const auto rigid = Evaluate(Named("truth", truth), Named("found", Disturbed(walk, 0, SomeMotion(1), 1)), options);
+  ASSERT_TRUE(rigid);
+  EXPECT_EQ(rigid->pairs.size(), walk.size());
+  EXPECT_LT(rigid->ate.summary.max, 1e-9);
+  EXPECT_FALSE(rigid->coverage.has_value());
+  options.align = EvalAlign::kSim3;
+  const auto scaled = Evaluate(Named("truth", truth), Named("found", Disturbed(walk, 0, SomeMotion(0.2), 1)), options);
+  ASSERT_TRUE(scaled);
+  EXPECT_LT(scaled->ate.summary.max, 1e-9);
+  EXPECT_LT(scaled->rpe.translation_summary.max, 1e-9);
+  EXPECT_NEAR(scaled->ate.reference_from_estimate.scale, 5, 1e-9);
+}
+
+TEST(Evaluate, AlignmentHidesNoScaleAndNoneHidesNothing) {
+  const Trajectory truth = SmoothWalk(500, 10);
+  const ReadTrajectory found = Named("found", Disturbed(truth, 0, SomeMotion(0.2), 1));
+  EvalOptions options;
+  EXPECT_GT(Evaluate(Named("truth", truth), found, options)->ate.summary.rmse, 0.1);
+  options.align = EvalAlign::kNone;
+  EXPECT_GT(Evaluate(Named("truth", truth), found, options)->ate.summary.rmse, 1.0);
+  EXPECT_EQ(Evaluate(Named("truth", truth), Named("same", truth), options)->ate.summary.max, 0.0);
+}
+
+TEST(Evaluate, TheOffsetMovesTheEstimate) {
+  const Trajectory truth = SmoothWalk(500, 10);
+  Trajectory late = truth;
+  for (StampedPose& pose : late) pose.timestamp.ns += 7000000000;
+  EvalOptions options;
+  const auto refused = Evaluate(Named("truth.txt", truth), Named("late.txt", late), options);
+  ASSERT_FALSE(refused);
+  for (const char* word : {"truth.txt", "late.txt", "1300000007.000000", "1300000004.990000", "--time-offset"}) {
+    EXPECT_THAT(refused.error().message, HasSubstr(word));
+  }
+  options.time_offset = -7;
+  const auto moved = Evaluate(Named("truth.txt", truth), Named("late.txt", late), options);
+  ASSERT_TRUE(moved) << moved.error().message;
+  EXPECT_EQ(moved->pairs.size(), truth.size());
+  EXPECT_LT(moved->rpe.translation_summary.max, 1e-9);
+  EXPECT_EQ(moved->aligned[0].timestamp, truth[0].timestamp);
+}
+
+TEST(Evaluate, FewerThanThreePairsAreRefused) {
+  const Trajectory truth = SmoothWalk(500, 10);
+  for (size_t count = 1; count < 5; ++count) {
+    const Trajectory few(truth.begin(), truth.begin() + static_cast<std::ptrdiff_t>(count));
+    EXPECT_EQ(Evaluate(Named("truth", truth), Named("few", few), {}).ok(), count >= 3);
+  }
+}
+
+TEST(Evaluate, ALineAndAPlaceGiveTheResidualAndAWarning) {
+  Trajectory line = SmoothWalk(100, 30), still = line;
+  for (size_t i = 0; i < line.size(); ++i) {
+    line[i].world_from_cam.translation = Eigen::Vector3d(0.01 * static_cast<double>(i), 0, 0);
+    still[i].world_from_cam.translation = Eigen::Vector3d(1, 2, 3);
+  }
+  for (const EvalAlign align : {EvalAlign::kSe3, EvalAlign::kSim3}) {
+    EvalOptions options;
+    options.align = align;
+    const auto same = Evaluate(Named("line", line), Named("line", line), options);
+    ASSERT_TRUE(same);
+    EXPECT_LT(same->ate.summary.max, 1e-9);
+    ASSERT_EQ(same->warnings.size(), 1u);
+    EXPECT_THAT(same->warnings[0], HasSubstr("on a line"));
+    const auto stuck = Evaluate(Named("line", line), Named("still", still), options);
+    ASSERT_TRUE(stuck);
+    EXPECT_NEAR(stuck->ate.summary.rmse, 0.288661, 1e-6) << "the spread of the truth";
+    EXPECT_THAT(stuck->warnings.at(0), HasSubstr("one place"));
+  }
+}
+
+TEST(Evaluate, OptionsOutOfRangeAreRefused) {
+  const double nan = std::nan("");
+  for (const double bad : {0.0, -1.0, nan, HUGE_VAL}) {
+    EvalOptions delta, difference;
+    delta.rpe_delta = bad;
+    difference.max_difference = bad;
+    EXPECT_FALSE(Validate(delta)) << bad;
+    EXPECT_FALSE(Validate(difference)) << bad;
+  }
+  for (const double bad : {nan, HUGE_VAL, 1e10}) {
+    EvalOptions options;
+    options.time_offset = bad;
+    EXPECT_FALSE(Validate(options)) << bad;
+  }
+  EvalOptions options;
+  EXPECT_TRUE(Validate(options));
+  options.num_frames = 0;
+  EXPECT_FALSE(Validate(options));
+}
+
+TEST(Coverage, CountsPicturesWithAPoseAndNeverMoreThanAll) {
+  const Trajectory frames = SmoothWalk(240, 33);
+  const std::vector<Timestamp> pictures = StampsOf(frames);
+  Trajectory lost(frames.begin(), frames.begin() + 120), twice;
+  for (const StampedPose& pose : frames) {
+    twice.push_back(pose);
+    twice.push_back({Timestamp{pose.timestamp.ns + 11000000}, pose.world_from_cam});
+  }
+  EXPECT_EQ(CoverageOf(pictures, frames), 1.0);
+  EXPECT_EQ(CoverageOf(pictures, lost), 0.5);
+  EXPECT_EQ(CoverageOf(pictures, twice), 1.0);
+  EXPECT_EQ(CoverageOf(pictures, {}), 0.0);
+  EvalOptions options;
+  options.num_frames = 480;
+  EXPECT_EQ(Evaluate(Named("truth", frames), Named("lost", lost), options)->coverage, 0.25);
+  options.num_frames = 100;
+  const auto too_many = Evaluate(Named("truth", frames), Named("lost", lost), options);
+  EXPECT_EQ(too_many->coverage, 1.0);
+  EXPECT_EQ(too_many->warnings.size(), 1u);
+}
+
+TEST(Coverage, AssociationsWinAndTellColourFromDepth) {
+  const std::string folder = ::testing::TempDir() + "yorb_coverage_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  EXPECT_FALSE(ReadColourStamps(folder)) << "no list";
+  std::ofstream(folder + "/rgb.txt") << "# colour\n1.0 rgb/a.png\n2.0 rgb/b.png\n3.0 rgb/c.png\n";
+  EXPECT_EQ(ReadColourStamps(folder).value().size(), 3u);
+  std::ofstream(folder + "/associations.txt") << "1.01 depth/a.png 1.0 rgb/a.png\n2.01 depth/b.png 2.0 rgb/b.png 7 8\n";
+  const auto stamps = ReadColourStamps(folder);
+  ASSERT_TRUE(stamps) << stamps.error().message;
+  ASSERT_EQ(stamps->size(), 2u);
+  EXPECT_EQ((*stamps)[0].ns, 1000000000);
+  std::ofstream(folder + "/associations.txt") << "1.0 rgb/a.png 1.01 depth/a.png\n1.0 rgb/b.png 2.01 depth/b.png\n";
+  const auto repeated = ReadColourStamps(folder);
+  ASSERT_FALSE(repeated);
+  EXPECT_THAT(repeated.error().message, HasSubstr("associations.txt, line 2"));
+}
+
+}  // namespace
+}  // namespace yorb
