@@ -125,7 +125,7 @@ Plot LayOut(const Chart& chart) {
     Widen(plot.y, metres_a_px * plot.height);
   }
   const double every_px = chart.is_equal_aspect ? kTickEvery_x_px : kTickEvery_y_px;
-  if (!chart.series.empty()) plot.y_ticks = NiceTicks(plot.y, std::max(3, static_cast<int>(plot.height / every_px)));
+  if (!chart.series.empty()) plot.y_ticks = NiceTicks(plot.y, std::max(5, static_cast<int>(plot.height / every_px)));
   plot.left = kLeft_px;
   plot.width = wide;
   plot.x_ticks = NiceTicks(plot.x, std::max(2, static_cast<int>(plot.width / kTickEvery_x_px)));
