@@ -36,7 +36,7 @@ Turn AxisInTurn(double seconds) {
 // 0 to 1 with a soft start and stop.
 double Ease(double t) {
   t = std::clamp(t, 0.0, 1.0);
-  constexpr double kSoft = 0.12;  // share of the time for each of them
+  constexpr double kSoft = 0.12;                                              // share of the time for each of them
   const auto risen = [](double x) { return x * x * x - x * x * x * x / 2; };  // integral of smoothstep
   const double total = 1 - kSoft;
   if (t < kSoft) return kSoft * risen(t / kSoft) / total;
@@ -87,32 +87,40 @@ Rigid3 CameraPath::Intended(double seconds) const {
     case PathKind::kXyz: {
       const Eigen::Vector3d reach(0.45, 0.28, 0.4);  // to the right, down, forward
       const Turn turn = AxisInTurn(seconds);
-      return held * Rigid3(Eigen::Quaterniond::Identity(), turn.out * reach[turn.axis] * Eigen::Vector3d::Unit(turn.axis));
+      return held *
+             Rigid3(Eigen::Quaterniond::Identity(), turn.out * reach[turn.axis] * Eigen::Vector3d::Unit(turn.axis));
     }
     case PathKind::kRpy: {
       const Eigen::Vector3d reach(0.5, 0.25, 0.45);  // roll, pitch, yaw
       const Turn turn = AxisInTurn(seconds);
-      const std::array<Eigen::Vector3d, 3> axes{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
-      return held * Rigid3(RotationFromVector(turn.out * reach[turn.axis] * axes[static_cast<size_t>(turn.axis)]), Eigen::Vector3d::Zero());
+      const std::array<Eigen::Vector3d, 3> axes{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(),
+                                                Eigen::Vector3d::UnitY()};
+      return held * Rigid3(RotationFromVector(turn.out * reach[turn.axis] * axes[static_cast<size_t>(turn.axis)]),
+                           Eigen::Vector3d::Zero());
     }
     case PathKind::kHalfsphere: {
-      const double azimuth = kPi + 0.6 * std::sin(2 * kPi * seconds / 15.0), elevation = 0.3 + 0.24 * std::sin(2 * kPi * seconds / 8.7 + 4.2);
-      const Eigen::Vector3d out(std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
+      const double azimuth = kPi + 0.6 * std::sin(2 * kPi * seconds / 15.0),
+                   elevation = 0.3 + 0.24 * std::sin(2 * kPi * seconds / 8.7 + 4.2);
+      const Eigen::Vector3d out(std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
+                                std::sin(elevation));
       return Looking(stage_.focus + (stage_.stand - stage_.focus).norm() * out, -out);
     }
-    case PathKind::kStatic: return held;
-    case PathKind::kLoop: break;
+    case PathKind::kStatic:
+      return held;
+    case PathKind::kLoop:
+      break;
   }
   return Loop(seconds);
 }
 
 Rigid3 CameraPath::Loop(double seconds) const {
-  constexpr double kMoving = 0.96;      // share of the time; the rest is spent at the start again
-  constexpr double kAhead = 0.3;        // radians from straight outwards towards the way
-  constexpr double kStepsOfARound = 14; // a walker's head goes up and down
+  constexpr double kMoving = 0.96;       // share of the time; the rest is spent at the start again
+  constexpr double kAhead = 0.3;         // radians from straight outwards towards the way
+  constexpr double kStepsOfARound = 14;  // a walker's head goes up and down
   const double angle = 2 * kPi * Ease(seconds / (kMoving * duration_s_));
   const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0);
-  const Eigen::Vector3d place(stage_.loop_radii.x() * out.x(), stage_.loop_radii.y() * out.y(), 0.015 * std::sin(kStepsOfARound * angle));
+  const Eigen::Vector3d place(stage_.loop_radii.x() * out.x(), stage_.loop_radii.y() * out.y(),
+                              0.015 * std::sin(kStepsOfARound * angle));
   const double gaze = angle + kAhead + 0.12 * std::sin(3 * angle);
   return Looking(stage_.loop_centre + place, {std::cos(gaze), std::sin(gaze), -0.17 + 0.06 * std::sin(2 * angle)});
 }

@@ -14,8 +14,10 @@ float Between(RoomBuilder& room, float low, float high) { return static_cast<flo
 // A book's spine, and its cover in a colour taken from the spine's edge.
 std::pair<Look, Look> BookLooks(RoomBuilder& room) {
   const std::string atlas = "spines " + std::to_string(room.random.Below(2));
-  Look spine = room.Fitted(room.TextureOf(atlas, {1, 1}, [](cv::Size size, Random& r) { return PaintBookSpines(size, kSpineColumns, kSpineRows, r); }));
-  const auto column = static_cast<float>(room.random.Below(kSpineColumns)), row = static_cast<float>(room.random.Below(kSpineRows));
+  Look spine = room.Fitted(room.TextureOf(
+      atlas, {1, 1}, [](cv::Size size, Random& r) { return PaintBookSpines(size, kSpineColumns, kSpineRows, r); }));
+  const auto column = static_cast<float>(room.random.Below(kSpineColumns)),
+             row = static_cast<float>(room.random.Below(kSpineRows));
   const float width = 1.f / kSpineColumns, height = 1.f / kSpineRows;
   spine.part = {column * width, row * height, width, height};
   Look cover = spine;
@@ -31,8 +33,8 @@ void AddBooks(RoomBuilder& room, const Place& place, float width, float max_heig
     const float thickness = Between(room, 0.016f, 0.048f), depth = Between(room, 0.13f, 0.2f);
     const float height = std::min(max_height, Between(room, 0.17f, 0.29f));
     const auto [spine, cover] = BookLooks(room);
-    room.AddBox(place * At(x + thickness / 2, depth / 2 - 0.09f + Between(room, -0.012f, 0.012f), 0), {thickness, depth, height}, cover,
-                {{Face::kFront, spine}, {Face::kTop, pages}});
+    room.AddBox(place * At(x + thickness / 2, depth / 2 - 0.09f + Between(room, -0.012f, 0.012f), 0),
+                {thickness, depth, height}, cover, {{Face::kFront, spine}, {Face::kTop, pages}});
     x += thickness + (room.random.Below(12) == 0 ? 0.04f : 0.0015f);
   }
 }
@@ -46,35 +48,40 @@ void AddBookPile(RoomBuilder& room, const Place& place, int num_books) {
     Look lying = spine;
     lying.is_turned = true;
     const int picture = PictureTexture(room, static_cast<int>(room.random.Below(8)));
-    room.AddBox(place * At(Between(room, -0.01f, 0.01f), Between(room, -0.01f, 0.01f), z, Between(room, -0.25f, 0.25f)),
-                {Between(room, 0.15f, 0.2f), Between(room, 0.19f, 0.24f), thickness}, pages,
-                {{Face::kTop, room.Fitted(picture)}, {Face::kFront, cover}, {Face::kLeft, cover}, {Face::kRight, lying}});
+    room.AddBox(
+        place * At(Between(room, -0.01f, 0.01f), Between(room, -0.01f, 0.01f), z, Between(room, -0.25f, 0.25f)),
+        {Between(room, 0.15f, 0.2f), Between(room, 0.19f, 0.24f), thickness}, pages,
+        {{Face::kTop, room.Fitted(picture)}, {Face::kFront, cover}, {Face::kLeft, cover}, {Face::kRight, lying}});
     z += thickness;
   }
 }
 
 void AddMonitor(RoomBuilder& room, const Place& place, int number) {
   const Look black = room.Plain("black", Paint(40, 38, 38));
-  const int screen = room.TextureOf("screen " + std::to_string(number), {1, 0.5f}, [](cv::Size size, Random& r) { return PaintScreen(size, r); });
+  const int screen = room.TextureOf("screen " + std::to_string(number), {1, 0.5f},
+                                    [](cv::Size size, Random& r) { return PaintScreen(size, r); });
   room.AddBox(place, {0.24f, 0.18f, 0.015f}, black);
   room.AddBox(place * At(0, 0.03f, 0.015f), {0.06f, 0.03f, 0.2f}, black);
   room.AddBox(place * At(0, 0, 0.13f), {0.54f, 0.035f, 0.33f}, black, {{Face::kFront, room.Fitted(screen, true)}});
 }
 
 void AddKeyboard(RoomBuilder& room, const Place& place) {
-  const int keys = room.TextureOf("keys", {0.5f, 0.25f}, [](cv::Size size, Random& r) { return PaintKeyboard(size, r); });
+  const int keys =
+      room.TextureOf("keys", {0.5f, 0.25f}, [](cv::Size size, Random& r) { return PaintKeyboard(size, r); });
   room.AddBox(place, {0.44f, 0.14f, 0.018f}, room.Plain("black", Paint(40, 38, 38)), {{Face::kTop, room.Fitted(keys)}});
 }
 
 void AddPaper(RoomBuilder& room, const Place& place) {
   const std::string name = "page " + std::to_string(room.random.Below(4));
   const int page = room.TextureOf(name, {0.5f, 0.5f}, [](cv::Size size, Random& r) { return PaintPage(size, r); });
-  room.AddBox(place, {0.21f, 0.297f, 0.003f}, room.Plain("pages", Paint(205, 222, 230)), {{Face::kTop, room.Fitted(page)}});
+  room.AddBox(place, {0.21f, 0.297f, 0.003f}, room.Plain("pages", Paint(205, 222, 230)),
+              {{Face::kTop, room.Fitted(page)}});
 }
 
 void AddMug(RoomBuilder& room, const Place& place) {
   const std::string name = "mug " + std::to_string(room.random.Below(4));
-  const int glaze = room.TextureOf(name, {0.25f, 0.25f}, [](cv::Size size, Random& r) { return PaintPackage(size, r); });
+  const int glaze =
+      room.TextureOf(name, {0.25f, 0.25f}, [](cv::Size size, Random& r) { return PaintPackage(size, r); });
   const int coffee = room.Plain("coffee", Paint(20, 34, 56)).texture;
   room.AddTurned(place, {{0, 0.036f, 0.036f}, {0.095f, 0.042f, 0.042f}, {0.0951f, 0.036f, 0.036f}}, glaze);
   room.AddTurned(place, {{0.092f, 0.038f, 0.038f}, {0.0952f, 0, 0}}, coffee);
@@ -84,7 +91,8 @@ void AddMug(RoomBuilder& room, const Place& place) {
 void AddGlobe(RoomBuilder& room, const Place& place) {
   const int map = room.TextureOf("globe", {1, 0.5f}, [](cv::Size size, Random& r) { return PaintMap(size, r); });
   const int wood = room.Wood("walnut").texture;
-  room.AddTurned(place, {{0, 0.09f, 0.09f}, {0.025f, 0.08f, 0.08f}, {0.03f, 0.015f, 0.015f}, {0.07f, 0.012f, 0.012f}}, wood);
+  room.AddTurned(place, {{0, 0.09f, 0.09f}, {0.025f, 0.08f, 0.08f}, {0.03f, 0.015f, 0.015f}, {0.07f, 0.012f, 0.012f}},
+                 wood);
   room.AddTurned(place * At(0, 0, 0.06f, 1), EllipsoidSlices(0.28f, 0.14f, 0.14f, 13), map, 24);
 }
 
@@ -105,10 +113,14 @@ void AddDeskLamp(RoomBuilder& room, const Place& place) {
 int PictureTexture(RoomBuilder& room, int number) {
   return room.TextureOf("picture " + std::to_string(number), {1, 1}, [&](cv::Size size, Random& r) {
     switch (number % 4) {
-      case 0: return PaintPoster(size, r);
-      case 1: return PaintLandscape(size, r);
-      case 2: return PaintAbstract(size, r);
-      default: return PaintMap(size, r);
+      case 0:
+        return PaintPoster(size, r);
+      case 1:
+        return PaintLandscape(size, r);
+      case 2:
+        return PaintAbstract(size, r);
+      default:
+        return PaintMap(size, r);
     }
   });
 }

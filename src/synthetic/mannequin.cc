@@ -68,10 +68,14 @@ Pose StandingPose(double seconds, double phase) {
 // Puts the parts of one body together.
 class Body {
  public:
-  Body(const Scene& scene, int person, std::vector<Patch>& patches) : scene_(scene), person_(person), patches_(patches) {}
+  Body(const Scene& scene, int person, std::vector<Patch>& patches)
+      : scene_(scene), person_(person), patches_(patches) {}
 
-  void Add(const Place& place, const std::vector<Slice>& slices, int texture, float repeat_u, float repeat_v, int num_sectors) {
-    const auto light = [this](const Eigen::Vector3f& x, const Eigen::Vector3f& normal) { return 0.92f * OpenLight(scene_, x, normal); };
+  void Add(const Place& place, const std::vector<Slice>& slices, int texture, float repeat_u, float repeat_v,
+           int num_sectors) {
+    const auto light = [this](const Eigen::Vector3f& x, const Eigen::Vector3f& normal) {
+      return 0.92f * OpenLight(scene_, x, normal);
+    };
     AppendTurned(place, slices, {texture, repeat_u, repeat_v, person_, num_sectors}, light, patches_);
   }
 
@@ -79,8 +83,12 @@ class Body {
   void AddLimb(const Place& joint, float length, float thick, float thin, int texture) {
     const float round = 0.4f;  // of the thickness: the ends are rounded
     Add(joint * Moved(0, 0, -length),
-        {{-thin * round, 0, 0}, {-thin * 0.1f, thin * 0.8f, thin * 0.8f}, {length * 0.15f, thin, thin}, {length * 0.65f, (thin + 2 * thick) / 3, (thin + 2 * thick) / 3},
-         {length * 0.95f, thick, thick}, {length + thick * round, 0, 0}},
+        {{-thin * round, 0, 0},
+         {-thin * 0.1f, thin * 0.8f, thin * 0.8f},
+         {length * 0.15f, thin, thin},
+         {length * 0.65f, (thin + 2 * thick) / 3, (thin + 2 * thick) / 3},
+         {length * 0.95f, thick, thick},
+         {length + thick * round, 0, 0}},
         texture, 1, 1, 10);
   }
 
@@ -118,7 +126,8 @@ void Mannequin::AddTo(MovingThings& moving, const Scene& scene, double seconds) 
   const auto scale = static_cast<float>(plan_.height / kModelHeight);
   const double phase = phase_ + 6.283185307 * std::abs(way) / (kStride * scale);
   const Pose pose = plan_.speed != 0 ? WalkingPose(phase) : StandingPose(seconds, phase_);
-  const auto heading = static_cast<float>(at.heading + (plan_.speed < 0 ? 3.14159265 : 0) + 1.57079633);  // -y walks ahead
+  const auto heading =
+      static_cast<float>(at.heading + (plan_.speed < 0 ? 3.14159265 : 0) + 1.57079633);  // -y walks ahead
 
   std::vector<Patch> patches;
   Body body(scene, person_, patches);
@@ -126,19 +135,30 @@ void Mannequin::AddTo(MovingThings& moving, const Scene& scene, double seconds) 
   const Place foot = Moved(x / scale, y / scale, 0) * Place(Eigen::AngleAxisf(heading, Eigen::Vector3f::UnitZ()));
   const Place hips = foot * Moved(0, 0, pose.hips_height);
   const Place chest = hips * Place(Eigen::AngleAxisf(pose.turn, Eigen::Vector3f::UnitZ())) * Forwards(-0.04f);
-  body.Add(hips, {{-0.13f, 0.02f, 0.02f}, {-0.1f, 0.14f, 0.1f}, {0, 0.17f, 0.12f}, {0.1f, 0.158f, 0.11f}}, clothes_.trousers, 3, 1, 14);
-  body.Add(chest, {{0.04f, 0.172f, 0.122f}, {0.15f, 0.155f, 0.112f}, {0.28f, 0.165f, 0.12f}, {0.4f, 0.185f, 0.12f}, {0.5f, 0.19f, 0.1f}, {0.55f, 0.14f, 0.08f}, {0.585f, 0.05f, 0.05f}},
+  body.Add(hips, {{-0.13f, 0.02f, 0.02f}, {-0.1f, 0.14f, 0.1f}, {0, 0.17f, 0.12f}, {0.1f, 0.158f, 0.11f}},
+           clothes_.trousers, 3, 1, 14);
+  body.Add(chest,
+           {{0.04f, 0.172f, 0.122f},
+            {0.15f, 0.155f, 0.112f},
+            {0.28f, 0.165f, 0.12f},
+            {0.4f, 0.185f, 0.12f},
+            {0.5f, 0.19f, 0.1f},
+            {0.55f, 0.14f, 0.08f},
+            {0.585f, 0.05f, 0.05f}},
            clothes_.shirt, 2, 1, 16);
   body.Add(chest * Moved(0, -0.01f, 0.54f), {{0, 0.055f, 0.06f}, {0.12f, 0.05f, 0.055f}}, clothes_.skin, 1, 1, 10);
-  body.Add(chest * Moved(0, -0.03f, 0.6f) * Place(Eigen::AngleAxisf(-pose.turn * 1.5f, Eigen::Vector3f::UnitZ())), EllipsoidSlices(0.25f, 0.078f, 0.1f, 9), clothes_.head, 1, 1, 14);
+  body.Add(chest * Moved(0, -0.03f, 0.6f) * Place(Eigen::AngleAxisf(-pose.turn * 1.5f, Eigen::Vector3f::UnitZ())),
+           EllipsoidSlices(0.25f, 0.078f, 0.1f, 9), clothes_.head, 1, 1, 14);
   for (int side = 0; side < 2; ++side) {
     const float sign = side == 0 ? -1.f : 1.f;
     const Place hip = hips * Moved(sign * kHipWidth / 2, 0, 0) * Forwards(pose.hip[side]);
     const Place knee = hip * Moved(0, 0, -kThigh) * Forwards(-pose.knee[side]);
     body.AddLimb(hip, kThigh, 0.085f, 0.06f, clothes_.trousers);
     body.AddLimb(knee, kShin, 0.06f, 0.045f, clothes_.trousers);
-    body.Add(knee * Moved(0, -0.055f, -kShin - kAnkle), EllipsoidSlices(0.11f, 0.048f, 0.135f, 6), clothes_.shoes, 1, 1, 10);
-    const Place shoulder = chest * Moved(sign * kShoulderWidth / 2, 0, kShoulderHeight) * Sideways(-sign * pose.spread[side]) * Forwards(pose.arm[side]);
+    body.Add(knee * Moved(0, -0.055f, -kShin - kAnkle), EllipsoidSlices(0.11f, 0.048f, 0.135f, 6), clothes_.shoes, 1, 1,
+             10);
+    const Place shoulder = chest * Moved(sign * kShoulderWidth / 2, 0, kShoulderHeight) *
+                           Sideways(-sign * pose.spread[side]) * Forwards(pose.arm[side]);
     const Place elbow = shoulder * Moved(0, 0, -kUpperArm) * Forwards(pose.elbow[side]);
     body.AddLimb(shoulder, kUpperArm, 0.055f, 0.042f, clothes_.shirt);
     body.AddLimb(elbow, kForearm, 0.042f, 0.03f, clothes_.skin);

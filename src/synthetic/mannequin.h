@@ -13,10 +13,10 @@ namespace yorb {
 
 /// Who walks where.
 struct PersonPlan {
-  size_t route = 0;          ///< index into Stage::routes
-  double start = 0;          ///< metres along the route at time 0
-  double speed = 1.0;        ///< metres a second; 0: stands and gestures; negative: the other way round
-  double height = 1.75;      ///< metres
+  size_t route = 0;      ///< index into Stage::routes
+  double start = 0;      ///< metres along the route at time 0
+  double speed = 1.0;    ///< metres a second; 0: stands and gestures; negative: the other way round
+  double height = 1.75;  ///< metres
 };
 
 /// A jointed figure with clothes, a face and a gait, that looks like a person from a camera's distance.

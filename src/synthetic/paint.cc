@@ -35,7 +35,8 @@ void Speckle(cv::Mat& picture, double deviation, Random& random) {
     for (int x = 0; x < picture.cols; ++x) {
       // The sum of four bytes is normal enough, with a deviation of 147.8.
       const uint64_t bits = random.Next();
-      const int sum = static_cast<int>((bits & 255) + (bits >> 8 & 255) + (bits >> 16 & 255) + (bits >> 24 & 255)) - 510;
+      const int sum =
+          static_cast<int>((bits & 255) + (bits >> 8 & 255) + (bits >> 16 & 255) + (bits >> 24 & 255)) - 510;
       const auto grain = static_cast<float>(deviation * sum / 147.8);
       for (int c = 0; c < 3; ++c) row[x][c] = cv::saturate_cast<uchar>(static_cast<float>(row[x][c]) + grain);
     }
@@ -65,7 +66,8 @@ void DrawWord(cv::Mat& picture, const std::string& word, const cv::Rect& where, 
   constexpr int kFont = cv::FONT_HERSHEY_DUPLEX;
   int baseline = 0;
   const cv::Size unit = cv::getTextSize(word, kFont, 1, 1, &baseline);
-  const double scale = std::min(static_cast<double>(where.width) / unit.width, static_cast<double>(where.height) / unit.height);
+  const double scale =
+      std::min(static_cast<double>(where.width) / unit.width, static_cast<double>(where.height) / unit.height);
   const int thickness = std::max(1, static_cast<int>(scale * 2));
   const cv::Point start(where.x + static_cast<int>((where.width - unit.width * scale) / 2),
                         where.y + static_cast<int>((where.height + unit.height * scale) / 2));
@@ -76,7 +78,8 @@ void DrawMarks(cv::Mat& picture, const cv::Rect& where, int line_height, const P
   const int glyph = std::max(2, line_height * 2 / 5), stroke = std::max(1, line_height / 9);
   for (int y = where.y; y + line_height <= where.y + where.height; y += line_height) {
     const bool ends_early = random.Below(5) == 0;
-    const int end = where.x + (ends_early ? static_cast<int>(where.width * random.Uniform(0.3, 0.9)) : where.width) - glyph;
+    const int end =
+        where.x + (ends_early ? static_cast<int>(where.width * random.Uniform(0.3, 0.9)) : where.width) - glyph;
     for (int x = where.x, left_in_word = 0; x < end; x += glyph + stroke) {
       if (left_in_word-- == 0) {
         left_in_word = 2 + static_cast<int>(random.Below(7));

@@ -9,8 +9,9 @@
 
 namespace yorb {
 
-// Pictures made by rule, for the surfaces of a room. Each is CV_8UC3 (BGR) of the size asked for, whose sides are powers
-// of two; the same random numbers give the same picture. Surfaces repeat without a seam; things fill their picture.
+// Pictures made by rule, for the surfaces of a room. Each is CV_8UC3 (BGR) of the size asked for, whose sides are
+// powers of two; the same random numbers give the same picture. Surfaces repeat without a seam; things fill their
+// picture.
 
 /// B, G, R in 0..255.
 using Paint = cv::Scalar;
@@ -47,14 +48,17 @@ cv::Mat PaintKeyboard(cv::Size size, Random& random);
 cv::Mat PaintDoor(cv::Size size, const Paint& colour, Random& random);
 cv::Mat PaintDrawers(cv::Size size, const Paint& colour, int columns, int rows, Random& random);
 cv::Mat PaintWindow(cv::Size size, Random& random);
-cv::Mat PaintHead(cv::Size size, const Paint& skin, const Paint& hair, Random& random);  ///< x round the head, face in the middle
+cv::Mat PaintHead(cv::Size size, const Paint& skin, const Paint& hair,
+                  Random& random);  ///< x round the head, face in the middle
 cv::Mat PaintPackage(cv::Size size, Random& random);
 
 // What several of the painters use.
 void Speckle(cv::Mat& picture, double deviation, Random& random);  ///< adds grain to every pixel
 void Modulate(cv::Mat& picture, const cv::Mat& factor);            ///< multiplies by a CV_32FC1 picture
-void DrawMarks(cv::Mat& picture, const cv::Rect& where, int line_height, const Paint& colour, Random& random);  ///< looks like text
+void DrawMarks(cv::Mat& picture, const cv::Rect& where, int line_height, const Paint& colour,
+               Random& random);  ///< looks like text
 std::string RandomWord(size_t length, Random& random);
-void DrawWord(cv::Mat& picture, const std::string& word, const cv::Rect& where, const Paint& colour);  ///< as large as fits
+void DrawWord(cv::Mat& picture, const std::string& word, const cv::Rect& where,
+              const Paint& colour);  ///< as large as fits
 
 }  // namespace yorb

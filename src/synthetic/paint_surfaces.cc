@@ -12,7 +12,8 @@ namespace {
 Paint Vary(const Paint& colour, double amount, Random& random) {
   const double lightness = 1 + amount * random.Gaussian();
   Paint varied;
-  for (int c = 0; c < 3; ++c) varied[c] = std::clamp(colour[c] * (lightness + 0.3 * amount * random.Gaussian()), 0.0, 255.0);
+  for (int c = 0; c < 3; ++c)
+    varied[c] = std::clamp(colour[c] * (lightness + 0.3 * amount * random.Gaussian()), 0.0, 255.0);
   return varied;
 }
 
@@ -20,16 +21,19 @@ Paint Vary(const Paint& colour, double amount, Random& random) {
 void PaintBoard(cv::Mat board, const Paint& colour, Random& random) {
   board.setTo(Vary(colour, 0.12, random));
   cv::Mat factor(board.size(), CV_32FC1);
-  const double lines = random.Uniform(3, 7) / board.rows * 6.283, wave = random.Uniform(0.5, 2.0), phase = random.Uniform(0, 6.28);
+  const double lines = random.Uniform(3, 7) / board.rows * 6.283, wave = random.Uniform(0.5, 2.0),
+               phase = random.Uniform(0, 6.28);
   const cv::Point2d knot(random.Uniform(0.1, 0.9) * board.cols, random.Uniform(0.2, 0.8) * board.rows);
   const double knot_size = random.Below(3) == 0 ? board.rows * random.Uniform(0.1, 0.25) : 0;
   for (int y = 0; y < board.rows; ++y) {
     for (int x = 0; x < board.cols; ++x) {
       const double dx = (x - knot.x) / 3, dy = y - knot.y, r2 = dx * dx + dy * dy;
-      const double bent = y + (knot_size > 0 ? knot_size * 1.5 * (dy > 0 ? 1 : -1) * std::exp(-r2 / (8 * knot_size * knot_size)) : 0);
+      const double bent =
+          y + (knot_size > 0 ? knot_size * 1.5 * (dy > 0 ? 1 : -1) * std::exp(-r2 / (8 * knot_size * knot_size)) : 0);
       const double rings = std::sin(bent * lines + wave * std::sin(x * 6.283 / board.cols + phase) + phase);
       const double dark = knot_size > 0 ? 0.45 * std::exp(-r2 / (knot_size * knot_size)) : 0;
-      factor.at<float>(y, x) = static_cast<float>(1 - 0.07 * rings - 0.05 * std::sin(bent * lines * 3.1 + 2 * phase) - dark);
+      factor.at<float>(y, x) =
+          static_cast<float>(1 - 0.05 * rings - 0.03 * std::sin(bent * lines * 3.1 + 2 * phase) - dark);
     }
   }
   Modulate(board, factor);
@@ -87,8 +91,9 @@ cv::Mat PaintBricks(cv::Size size, Random& random) {
       const int left = column * width + ((row & 1) ? width / 2 : 0) + joint, top = row * height + joint;
       for (const int shift : {0, -size.width}) {
         cv::rectangle(picture, cv::Rect(left + shift, top, width - 2 * joint, height - 2 * joint), colour, cv::FILLED);
-        cv::line(picture, {left + shift, top + height - 2 * joint - 1}, {left + shift + width - 2 * joint - 1, top + height - 2 * joint - 1},
-                 colour * 0.7, std::max(1, joint / 2));
+        cv::line(picture, {left + shift, top + height - 2 * joint - 1},
+                 {left + shift + width - 2 * joint - 1, top + height - 2 * joint - 1}, colour * 0.7,
+                 std::max(1, joint / 2));
       }
     }
   }
@@ -108,15 +113,16 @@ cv::Mat PaintFloorboards(cv::Size size, Random& random) {
       cv::rectangle(board, cv::Rect(0, 0, board.cols, board.rows), Paint(40, 62, 88), 1);
     }
   }
-  AddGrain(picture, 0.045, random);
+  AddGrain(picture, 0.028, random);
   return picture;
 }
 
 cv::Mat PaintWood(cv::Size size, const Paint& colour, Random& random) {
   cv::Mat picture(size, CV_8UC3);
   const int height = size.height / 4;
-  for (int row = 0; row < 4; ++row) PaintBoard(picture(cv::Range(row * height, (row + 1) * height), cv::Range::all()), colour, random);
-  AddGrain(picture, 0.05, random);
+  for (int row = 0; row < 4; ++row)
+    PaintBoard(picture(cv::Range(row * height, (row + 1) * height), cv::Range::all()), colour, random);
+  AddGrain(picture, 0.028, random);
   return picture;
 }
 
@@ -124,7 +130,8 @@ cv::Mat PaintCeilingTiles(cv::Size size, Random& random) {
   cv::Mat picture(size, CV_8UC3, Paint(222, 226, 228));
   for (int i = 0; i < size.area() / 160; ++i) {
     const cv::Point at(static_cast<int>(random.Below(size.width)), static_cast<int>(random.Below(size.height)));
-    cv::circle(picture, at, 1 + static_cast<int>(random.Below(2)), Paint::all(random.Uniform(150, 205)), cv::FILLED, cv::LINE_AA);
+    cv::circle(picture, at, 1 + static_cast<int>(random.Below(2)), Paint::all(random.Uniform(150, 205)), cv::FILLED,
+               cv::LINE_AA);
   }
   const int step = size.width / 2;
   for (int i = 0; i < 2; ++i) {
@@ -139,15 +146,18 @@ cv::Mat PaintCloth(cv::Size size, const Paint& colour, Random& random) {
   const uint32_t kind = random.Below(4);
   const Paint second = Hsv(random.Uniform(0, 360), random.Uniform(0.1, 0.6), random.Uniform(0.3, 0.95));
   const int step = size.height / (8 << random.Below(2));
-  for (int y = 0; y < size.height && kind == 1; y += step) cv::rectangle(picture, cv::Rect(0, y, size.width, step / 2), second, cv::FILLED);
+  for (int y = 0; y < size.height && kind == 1; y += step)
+    cv::rectangle(picture, cv::Rect(0, y, size.width, step / 2), second, cv::FILLED);
   for (int at = 0; at < size.height && kind == 2; at += step) {
-    cv::Mat row = picture(cv::Rect(0, at, size.width, step / 3)), column = picture(cv::Rect(at % size.width, 0, step / 3, size.height));
+    cv::Mat row = picture(cv::Rect(0, at, size.width, step / 3)),
+            column = picture(cv::Rect(at % size.width, 0, step / 3, size.height));
     cv::addWeighted(row, 0.5, cv::Mat(row.size(), CV_8UC3, second), 0.5, 0, row);
     cv::addWeighted(column, 0.5, cv::Mat(column.size(), CV_8UC3, second), 0.5, 0, column);
   }
   for (int y = 0; y < size.height && kind == 3; y += step) {
     for (int x = 0; x < size.width; x += step) {
-      cv::circle(picture, {x + ((y / step) & 1 ? step / 2 : 0), y + step / 2}, step / 5, second, cv::FILLED, cv::LINE_AA);
+      cv::circle(picture, {x + ((y / step) & 1 ? step / 2 : 0), y + step / 2}, step / 5, second, cv::FILLED,
+                 cv::LINE_AA);
     }
   }
   // Folds and weave.
@@ -158,7 +168,8 @@ cv::Mat PaintCloth(cv::Size size, const Paint& colour, Random& random) {
 
 cv::Mat PaintMetal(cv::Size size, const Paint& colour, Random& random) {
   cv::Mat picture(size, CV_8UC3, colour);
-  Modulate(picture, CloudNoise(size, {size.width / 4, 1}, random) * 0.03 + CloudNoise(size, {size.width / 2, size.height / 2}, random) * 0.05 + 1);
+  Modulate(picture, CloudNoise(size, {size.width / 4, 1}, random) * 0.03 +
+                        CloudNoise(size, {size.width / 2, size.height / 2}, random) * 0.05 + 1);
   return picture;
 }
 
@@ -166,9 +177,12 @@ cv::Mat PaintLeaf(cv::Size size, Random& random) {
   cv::Mat picture(size, CV_8UC3, Paint(48, 118, 58));
   for (int i = 0; i < 9; ++i) {
     const int x = size.width * i / 9;
-    cv::line(picture, {size.width / 2, size.height * i / 9}, {0, size.height * i / 9 - size.width / 2}, Paint(70, 160, 90), 2, cv::LINE_AA);
-    cv::line(picture, {size.width / 2, size.height * i / 9}, {size.width, size.height * i / 9 - size.width / 2}, Paint(70, 160, 90), 2, cv::LINE_AA);
-    cv::circle(picture, {x, static_cast<int>(random.Below(size.height))}, 3, Paint(40, 90, 50), cv::FILLED, cv::LINE_AA);
+    cv::line(picture, {size.width / 2, size.height * i / 9}, {0, size.height * i / 9 - size.width / 2},
+             Paint(70, 160, 90), 2, cv::LINE_AA);
+    cv::line(picture, {size.width / 2, size.height * i / 9}, {size.width, size.height * i / 9 - size.width / 2},
+             Paint(70, 160, 90), 2, cv::LINE_AA);
+    cv::circle(picture, {x, static_cast<int>(random.Below(size.height))}, 3, Paint(40, 90, 50), cv::FILLED,
+               cv::LINE_AA);
   }
   cv::line(picture, {size.width / 2, 0}, {size.width / 2, size.height}, Paint(90, 180, 120), 3, cv::LINE_AA);
   Modulate(picture, CloudNoise(size, {8, 8}, random) * 0.08 + 1);

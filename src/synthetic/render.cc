@@ -31,8 +31,11 @@ struct TileBuffer {
 
 bool MeetsTile(const SeenPatch& patch, const Tile& tile) {
   const auto max = [&](const RayFunction& f) { return f.Max(tile.min_x, tile.max_x, tile.min_y, tile.max_y); };
-  const auto minus = [](const RayFunction& a, const RayFunction& b) { return RayFunction{a.x - b.x, a.y - b.y, a.one - b.one}; };
-  if (patch.min_x > tile.max_x || patch.max_x < tile.min_x || patch.min_y > tile.max_y || patch.max_y < tile.min_y) return false;
+  const auto minus = [](const RayFunction& a, const RayFunction& b) {
+    return RayFunction{a.x - b.x, a.y - b.y, a.one - b.one};
+  };
+  if (patch.min_x > tile.max_x || patch.max_x < tile.min_x || patch.min_y > tile.max_y || patch.max_y < tile.min_y)
+    return false;
   const float slack = kOverlap * patch.max_inverse_depth;
   if (max(patch.s) < -slack || max(patch.t) < -slack || max(patch.inverse_depth) <= 0) return false;
   if (!patch.patch->is_triangle) {
@@ -50,15 +53,16 @@ void Draw(const SeenPatch& patch, int index, const Tile& tile, TileBuffer& buffe
     const float x = tile.x[i], y = tile.y[i];
     const float w = inverse_depth(x, y), a = s(x, y), b = t(x, y);
     const float low = -kOverlap * w, high = (1 + kOverlap) * w;
-    const bool inside = kIsTriangle ? (a >= low) & (b >= low) & (a + b <= high)
-                                    : (a >= low) & (b >= low) & (a <= high) & (b <= high);
+    const bool inside =
+        kIsTriangle ? (a >= low) & (b >= low) & (a + b <= high) : (a >= low) & (b >= low) & (a <= high) & (b <= high);
     const bool wins = inside & (w > buffer.inverse_depth[i]) & (w < nearest);
     buffer.inverse_depth[i] = wins ? w : buffer.inverse_depth[i];
     buffer.seen[i] = wins ? index : buffer.seen[i];
   }
 }
 
-void FillTile(const std::vector<SeenPatch>& patches, const std::vector<int>& nearest_first, const Tile& tile, TileBuffer& buffer) {
+void FillTile(const std::vector<SeenPatch>& patches, const std::vector<int>& nearest_first, const Tile& tile,
+              TileBuffer& buffer) {
   std::fill(std::begin(buffer.inverse_depth), std::end(buffer.inverse_depth), 0.f);
   std::fill(std::begin(buffer.seen), std::end(buffer.seen), kNobody);
   int num_drawn = 0;
@@ -69,7 +73,8 @@ void FillTile(const std::vector<SeenPatch>& patches, const std::vector<int>& nea
     if (!MeetsTile(patch, tile)) continue;
     if (patch.inverse_depth.Max(tile.min_x, tile.max_x, tile.min_y, tile.max_y) < farthest) continue;
     patch.patch->is_triangle ? Draw<true>(patch, index, tile, buffer) : Draw<false>(patch, index, tile, buffer);
-    if (++num_drawn % 2 == 0) farthest = *std::min_element(std::begin(buffer.inverse_depth), std::end(buffer.inverse_depth));
+    if (++num_drawn % 2 == 0)
+      farthest = *std::min_element(std::begin(buffer.inverse_depth), std::end(buffer.inverse_depth));
   }
 }
 
@@ -105,7 +110,9 @@ Eigen::Array3f Shade(const Scene& scene, const MovingThings& moving, const SeenP
 class PixelShader {
  public:
   PixelShader(const Scene& scene, const MovingThings& moving, const std::vector<SeenPatch>& seen, const Pinhole& camera)
-      : scene_(scene), moving_(moving), seen_(seen),
+      : scene_(scene),
+        moving_(moving),
+        seen_(seen),
         step_(static_cast<float>(1 / camera.fx), static_cast<float>(1 / camera.fy)) {}
 
   Eigen::Array3f operator()(const Tile& tile, const TileBuffer& buffer, int pixel) const {
@@ -153,7 +160,8 @@ std::vector<SeenPatch> SeeAll(const Scene& scene, const MovingThings& moving, co
 }  // namespace
 
 Renderer::Renderer(const Pinhole& camera) : camera_(camera) {
-  YORB_CHECK(camera.width > 0 && camera.height > 0 && camera.fx > 0 && camera.fy > 0, "a renderer needs a picture size");
+  YORB_CHECK(camera.width > 0 && camera.height > 0 && camera.fx > 0 && camera.fy > 0,
+             "a renderer needs a picture size");
   tile_columns_ = (camera.width + kTileSide - 1) / kTileSide;
   tile_rows_ = (camera.height + kTileSide - 1) / kTileSide;
   tiles_.resize(static_cast<size_t>(tile_columns_) * tile_rows_);
@@ -164,7 +172,8 @@ Renderer::Renderer(const Pinhole& camera) : camera_(camera) {
     std::vector<Eigen::Vector2f> pixels;
     for (const auto& offset : kSampleOffsets) {
       for (int i = 0; i < kTilePixels; ++i) {
-        pixels.emplace_back(left + static_cast<float>(i % kTileSide) + offset[0], top + static_cast<float>(i / kTileSide) + offset[1]);
+        pixels.emplace_back(left + static_cast<float>(i % kTileSide) + offset[0],
+                            top + static_cast<float>(i / kTileSide) + offset[1]);
       }
     }
     if (camera.HasDistortion()) pixels = camera.Undistort(pixels);
@@ -172,8 +181,10 @@ Renderer::Renderer(const Pinhole& camera) : camera_(camera) {
       tile.x[i] = static_cast<float>((pixels[i].x() - camera.cx) / camera.fx);
       tile.y[i] = static_cast<float>((pixels[i].y() - camera.cy) / camera.fy);
     }
-    std::tie(tile.min_x, tile.max_x) = std::pair(*std::min_element(tile.x, tile.x + kTileSamples), *std::max_element(tile.x, tile.x + kTileSamples));
-    std::tie(tile.min_y, tile.max_y) = std::pair(*std::min_element(tile.y, tile.y + kTileSamples), *std::max_element(tile.y, tile.y + kTileSamples));
+    std::tie(tile.min_x, tile.max_x) =
+        std::pair(*std::min_element(tile.x, tile.x + kTileSamples), *std::max_element(tile.x, tile.x + kTileSamples));
+    std::tie(tile.min_y, tile.max_y) =
+        std::pair(*std::min_element(tile.y, tile.y + kTileSamples), *std::max_element(tile.y, tile.y + kTileSamples));
   }
 }
 
@@ -187,7 +198,8 @@ RenderedView Renderer::Render(const Scene& scene, const MovingThings& moving, co
   for (int tile_row = 0; tile_row < tile_rows_; ++tile_row) {
     const Tile* row = tiles_.data() + static_cast<size_t>(tile_row) * tile_columns_;
     float min_y = row->min_y, max_y = row->max_y;
-    for (int i = 1; i < tile_columns_; ++i) min_y = std::min(min_y, row[i].min_y), max_y = std::max(max_y, row[i].max_y);
+    for (int i = 1; i < tile_columns_; ++i)
+      min_y = std::min(min_y, row[i].min_y), max_y = std::max(max_y, row[i].max_y);
     std::vector<int> in_row;  // what may meet this row of tiles, nearest first
     for (size_t i = 0; i < seen.size(); ++i) {
       if (seen[i].min_y <= max_y && seen[i].max_y >= min_y) in_row.push_back(static_cast<int>(i));
@@ -199,8 +211,9 @@ RenderedView Renderer::Render(const Scene& scene, const MovingThings& moving, co
         const int x = tile_column * kTileSide + i % kTileSide, y = tile_row * kTileSide + i / kTileSide;
         if (x >= camera_.width || y >= camera_.height) continue;
         const Eigen::Array3f colour = shade(tile, buffer, i);
-        view.colour.at<cv::Vec3b>(y, x) = cv::Vec3b(cv::saturate_cast<uchar>(colour[0]), cv::saturate_cast<uchar>(colour[1]),
-                                                    cv::saturate_cast<uchar>(colour[2]));
+        view.colour.at<cv::Vec3b>(y, x) =
+            cv::Vec3b(cv::saturate_cast<uchar>(colour[0]), cv::saturate_cast<uchar>(colour[1]),
+                      cv::saturate_cast<uchar>(colour[2]));
         if (buffer.seen[i] == kNobody) continue;
         view.depth.at<float>(y, x) = 1 / buffer.inverse_depth[i];
         view.mask.at<uchar>(y, x) = static_cast<uchar>(seen[buffer.seen[i]].patch->person);

@@ -30,9 +30,11 @@ void AddShell(RoomBuilder& room, const Place& middle_of_foot, float width, float
 }
 
 void AddWalls(RoomBuilder& room) {
-  const Paint warm = Hsv(room.random.Uniform(25, 60), 0.13, 0.87), cool = Hsv(room.random.Uniform(90, 220), 0.12, 0.84);
-  const int plaster = room.TextureOf("plaster", {2, 2}, [&](cv::Size size, Random& r) { return PaintPlaster(size, warm, r); });
-  const int paper = room.TextureOf("wallpaper", {2, 2}, [&](cv::Size size, Random& r) { return PaintWallpaper(size, cool, r); });
+  const Paint warm = Hsv(room.random.Uniform(25, 60), 0.1, 0.92), cool = Hsv(room.random.Uniform(90, 220), 0.1, 0.9);
+  const int plaster =
+      room.TextureOf("plaster", {2, 2}, [&](cv::Size size, Random& r) { return PaintPlaster(size, warm, r); });
+  const int paper =
+      room.TextureOf("wallpaper", {2, 2}, [&](cv::Size size, Random& r) { return PaintWallpaper(size, cool, r); });
   const int bricks = room.TextureOf("bricks", {2, 2}, [](cv::Size size, Random& r) { return PaintBricks(size, r); });
   AddShell(room, OnEastWall(0, 0), 2 * kHalfY, kHeight, plaster, 2.6f);
   AddShell(room, OnWestWall(0, 0), 2 * kHalfY, kHeight, bricks, 1.9f);
@@ -46,8 +48,10 @@ void AddWalls(RoomBuilder& room) {
 }
 
 void AddFloorAndCeiling(RoomBuilder& room) {
-  const int boards = room.TextureOf("floorboards", {2, 2}, [](cv::Size size, Random& r) { return PaintFloorboards(size, r); });
-  const int tiles = room.TextureOf("ceiling", {1, 1}, [](cv::Size size, Random& r) { return PaintCeilingTiles(size, r); });
+  const int boards =
+      room.TextureOf("floorboards", {2, 2}, [](cv::Size size, Random& r) { return PaintFloorboards(size, r); });
+  const int tiles =
+      room.TextureOf("ceiling", {1, 1}, [](cv::Size size, Random& r) { return PaintCeilingTiles(size, r); });
   const int rug = room.TextureOf("rug", {2, 1}, [](cv::Size size, Random& r) { return PaintRug(size, r); });
   Look floor, ceiling;
   floor.texture = boards;
@@ -64,14 +68,17 @@ void AddFloorAndCeiling(RoomBuilder& room) {
 }
 
 void AddLamps(RoomBuilder& room) {
-  const int light = room.TextureOf("glow", {0.25f, 0.25f}, [](cv::Size size, Random& r) { return PaintMetal(size, Paint(246, 252, 255), r); });
+  const int light = room.TextureOf("glow", {0.25f, 0.25f},
+                                   [](cv::Size size, Random& r) { return PaintMetal(size, Paint(246, 252, 255), r); });
   for (const float x : {-2.1f, 2.1f}) {
     for (const float y : {-1.4f, 1.4f}) {
-      room.scene.patches.push_back(BoxFace(At(x, y, kHeight - 0.03f), {0.9f, 0.4f, 0.02f}, Face::kBottom, room.Fitted(light, true)));
-      room.scene.lamps.push_back({{x, y, kHeight - 0.04f}, {0, 0.2f, 0}, {0.45f, 0, 0}, 0.85f});  // u x v points down
+      room.scene.patches.push_back(
+          BoxFace(At(x, y, kHeight - 0.03f), {0.9f, 0.4f, 0.02f}, Face::kBottom, room.Fitted(light, true)));
+      room.scene.lamps.push_back({{x, y, kHeight - 0.04f}, {0, 0.2f, 0}, {0.45f, 0, 0}, 1.6f});  // u x v points down
     }
   }
-  room.scene.lamps.push_back({{1.2f, kHalfY - 0.05f, 1.6f}, {0.7f, 0, 0}, {0, 0, 0.6f}, 1.0f});  // the window: u x v points south
+  room.scene.lamps.push_back(
+      {{1.2f, kHalfY - 0.05f, 1.6f}, {0.7f, 0, 0}, {0, 0, 0.6f}, 1.3f});  // the window: u x v points south
 }
 
 // The desk that the camera looks at: its front looks west, seen from inside the room.
@@ -158,7 +165,8 @@ Stage MakeStage() {
   stage.stand = {0.35, 0, 1.35};
   stage.loop_centre = {-1, 0, 1.4};
   stage.loop_radii = {1.15, 1.0};
-  stage.routes.emplace_back(std::vector<Eigen::Vector2d>{{1.42, -0.9}, {1.42, 0.9}, {2.3, 1.55}, {3.15, 0.9}, {3.15, -0.9}, {2.3, -1.7}});
+  stage.routes.emplace_back(
+      std::vector<Eigen::Vector2d>{{1.42, -0.9}, {1.42, 0.9}, {2.3, 1.55}, {3.15, 0.9}, {3.15, -0.9}, {2.3, -1.7}});
   std::vector<Eigen::Vector2d> ring;
   for (int i = 0; i < 8; ++i) ring.emplace_back(-1 + 2.0 * std::cos(i * kPi / 4), 1.85 * std::sin(i * kPi / 4));
   stage.routes.emplace_back(ring);

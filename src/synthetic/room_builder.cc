@@ -18,10 +18,12 @@ Place At(float x, float y, float z, float turn) {
 }
 
 Look RoomBuilder::Wood(const std::string& kind, bool is_upright) {
-  const std::map<std::string, Paint> colours{{"oak", {96, 150, 196}}, {"walnut", {52, 78, 116}}, {"white", {214, 222, 226}}, {"beech", {132, 180, 214}}};
+  const std::map<std::string, Paint> colours{
+      {"oak", {96, 150, 196}}, {"walnut", {52, 78, 116}}, {"white", {214, 222, 226}}, {"beech", {132, 180, 214}}};
   const Paint colour = colours.at(kind);
   Look look;
-  look.texture = TextureOf("wood " + kind, {1, 1}, [&](cv::Size size, Random& r) { return PaintWood(size, colour, r); });
+  look.texture =
+      TextureOf("wood " + kind, {1, 1}, [&](cv::Size size, Random& r) { return PaintWood(size, colour, r); });
   look.tile = 1.1f;
   look.is_turned = is_upright;
   return look;
@@ -29,7 +31,8 @@ Look RoomBuilder::Wood(const std::string& kind, bool is_upright) {
 
 Look RoomBuilder::Plain(const std::string& name, const Paint& colour) {
   Look look;
-  look.texture = TextureOf("plain " + name, {0.25f, 0.25f}, [&](cv::Size size, Random& r) { return PaintMetal(size, colour, r); });
+  look.texture =
+      TextureOf("plain " + name, {0.25f, 0.25f}, [&](cv::Size size, Random& r) { return PaintMetal(size, colour, r); });
   look.tile = 0.4f;
   return look;
 }
@@ -41,7 +44,8 @@ Look RoomBuilder::Fitted(int texture, bool is_glowing) {
   return look;
 }
 
-void RoomBuilder::AddBox(const Place& place, const Eigen::Vector3f& size, const Look& look, const std::vector<FaceLook>& special) {
+void RoomBuilder::AddBox(const Place& place, const Eigen::Vector3f& size, const Look& look,
+                         const std::vector<FaceLook>& special) {
   for (const Face face : {Face::kFront, Face::kBack, Face::kLeft, Face::kRight, Face::kTop, Face::kBottom}) {
     const auto own = std::find_if(special.begin(), special.end(), [&](const FaceLook& s) { return s.face == face; });
     Look here = own != special.end() ? own->look : look;
@@ -65,7 +69,9 @@ void RoomBuilder::AddTurned(const Place& place, const std::vector<Slice>& slices
   TurnedLook look;
   look.texture = texture;
   look.num_sectors = num_sectors;
-  const auto light = [&](const Eigen::Vector3f& x, const Eigen::Vector3f& normal) { return 0.85f * OpenLight(scene, x, normal); };
+  const auto light = [&](const Eigen::Vector3f& x, const Eigen::Vector3f& normal) {
+    return 0.85f * OpenLight(scene, x, normal);
+  };
   AppendTurned(place, slices, look, light, scene.patches);
 }
 

@@ -29,22 +29,24 @@ class RoomBuilder {
   int TextureOf(const std::string& name, cv::Size2f share, Painter&& paint) {
     const auto known = textures_.find(name);
     if (known != textures_.end()) return known->second;
-    const cv::Size size(static_cast<int>(share.width * static_cast<float>(texture_size_)), static_cast<int>(share.height * static_cast<float>(texture_size_)));
+    const cv::Size size(static_cast<int>(share.width * static_cast<float>(texture_size_)),
+                        static_cast<int>(share.height * static_cast<float>(texture_size_)));
     scene.textures.emplace_back(paint(size, random));
     return textures_[name] = static_cast<int>(scene.textures.size()) - 1;
   }
 
   /// Wood of a kind ("oak", "walnut", "white", "beech") at its own scale; the grain runs along x, or upwards.
   Look Wood(const std::string& kind, bool is_upright = false);
-  Look Plain(const std::string& name, const Paint& colour);           ///< metal, plastic
-  Look Fitted(int texture, bool is_glowing = false);                  ///< the whole texture on one face
+  Look Plain(const std::string& name, const Paint& colour);  ///< metal, plastic
+  Look Fitted(int texture, bool is_glowing = false);         ///< the whole texture on one face
 
   /// A box all of one look, with some faces of their own. Faces that nobody can see are left out by `hidden`.
   struct FaceLook {
     Face face;
     Look look;
   };
-  void AddBox(const Place& place, const Eigen::Vector3f& size, const Look& look, const std::vector<FaceLook>& special = {});
+  void AddBox(const Place& place, const Eigen::Vector3f& size, const Look& look,
+              const std::vector<FaceLook>& special = {});
 
   /// A turned thing (cup, pot, ball) lit as if in the open, a little darker for what stands around.
   void AddTurned(const Place& place, const std::vector<Slice>& slices, int texture, int num_sectors = 16);

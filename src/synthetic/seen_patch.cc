@@ -45,7 +45,8 @@ bool FindBounds(const std::array<Eigen::Vector3d, 4>& corners, size_t num_corner
 std::optional<SeenPatch> SeePatch(const Patch& patch, const Rigid3& cam_from_world) {
   const Eigen::Matrix3d rotation = cam_from_world.rotation.toRotationMatrix();
   const Eigen::Vector3d corner = rotation * patch.corner.cast<double>() + cam_from_world.translation;
-  const Eigen::Vector3d edge_s = rotation * patch.edge_s.cast<double>(), edge_t = rotation * patch.edge_t.cast<double>();
+  const Eigen::Vector3d edge_s = rotation * patch.edge_s.cast<double>(),
+                        edge_t = rotation * patch.edge_t.cast<double>();
   const Eigen::Vector3d across = edge_s.cross(edge_t);
   const double facing = -across.dot(corner);  // > 0: the front side is seen
   if (!patch.is_two_sided && facing <= 0) return std::nullopt;
@@ -54,7 +55,8 @@ std::optional<SeenPatch> SeePatch(const Patch& patch, const Rigid3& cam_from_wor
   SeenPatch seen;
   seen.patch = &patch;
   const std::array<Eigen::Vector3d, 4> triangle{corner, corner + edge_s, corner + edge_t};
-  const std::array<Eigen::Vector3d, 4> parallelogram{corner, corner + edge_s, corner + edge_s + edge_t, corner + edge_t};
+  const std::array<Eigen::Vector3d, 4> parallelogram{corner, corner + edge_s, corner + edge_s + edge_t,
+                                                     corner + edge_t};
   if (!FindBounds(patch.is_triangle ? triangle : parallelogram, patch.is_triangle ? 3 : 4, seen)) return std::nullopt;
 
   // corner + s edge_s + t edge_t = z ray, hence (s, t, 1) / z = [edge_s edge_t corner]^-1 ray.

@@ -22,8 +22,8 @@ struct RayFunction {
 };
 
 /// A patch as one camera sees it. With the ray (x, y, 1), `inverse_depth` is 1/z of the point where the ray meets the
-/// plane, and the patch's coordinates of that point are s / inverse_depth and t / inverse_depth. All three are linear in
-/// the ray, so nothing needs clipping (homogeneous rasterisation after Olano and Greer).
+/// plane, and the patch's coordinates of that point are s / inverse_depth and t / inverse_depth. All three are linear
+/// in the ray, so nothing needs clipping (homogeneous rasterisation after Olano and Greer).
 struct SeenPatch {
   const Patch* patch = nullptr;
   RayFunction s, t, inverse_depth;

@@ -12,12 +12,12 @@
 namespace yorb {
 namespace {
 
-constexpr double kBaseline = 0.075;          // metres from the projector to the infrared camera
-constexpr float kDisparityFocal = 535;       // pixels of the infrared camera at its own size, whatever the picture's
-constexpr float kDisparityStep = 0.125f;     // pixels
-constexpr float kDisparityDeviation = 0.06f; // pixels: 1.5 mm at 1 m, 2.4 cm at 4 m
+constexpr double kBaseline = 0.075;           // metres from the projector to the infrared camera
+constexpr float kDisparityFocal = 535;        // pixels of the infrared camera at its own size, whatever the picture's
+constexpr float kDisparityStep = 0.125f;      // pixels
+constexpr float kDisparityDeviation = 0.06f;  // pixels: 1.5 mm at 1 m, 2.4 cm at 4 m
 constexpr float kNearest = 0.45f, kFarthest = 4.5f;  // metres; holes become more from there on
-constexpr float kGrazing = 0.3f;             // cosine of the angle below which holes become more
+constexpr float kGrazing = 0.3f;                     // cosine of the angle below which holes become more
 constexpr int kTableBits = 12;
 
 // Normal numbers from a table, four a draw: a picture needs a million of them.
@@ -97,7 +97,9 @@ void AddColourNoise(const SensorOptions& options, uint64_t frame, cv::Mat& colou
       const uint64_t bits = random.Next();
       // Brightness grain is shared by the channels, colour grain is not.
       const float dark = scale * (2.2f - 1.0f * static_cast<float>(row[1]) / 255), shared = dark * gaussians[bits];
-      for (int c = 0; c < 3; ++c) row[c] = cv::saturate_cast<uchar>(static_cast<float>(row[c]) + shared + 0.6f * dark * gaussians[bits >> (kTableBits * (c + 1))]);
+      for (int c = 0; c < 3; ++c)
+        row[c] = cv::saturate_cast<uchar>(static_cast<float>(row[c]) + shared +
+                                          0.6f * dark * gaussians[bits >> (kTableBits * (c + 1))]);
     }
   }
 }
@@ -113,7 +115,8 @@ cv::Mat MeasureDepth(const SensorOptions& options, uint64_t frame, const Rig& ri
   }
   const cv::Mat error = SharedNoise(exact.size(), 0.6f, Random(options.seed, frame * 4 + 2));
   const cv::Mat failure = SharedNoise(exact.size(), 0.75f, Random(options.seed, frame * 4 + 3));
-  const auto focal = static_cast<float>(rig.camera.fx), focal_baseline = static_cast<float>(kBaseline) * kDisparityFocal;
+  const auto focal = static_cast<float>(rig.camera.fx),
+             focal_baseline = static_cast<float>(kBaseline) * kDisparityFocal;
   std::vector<uint8_t> is_dark(static_cast<size_t>(exact.cols));
   for (int y = 0; y < exact.rows; ++y) {
     const auto* depth = exact.ptr<float>(y);

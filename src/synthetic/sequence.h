@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "camera/image_set.h"
 #include "camera/rig.h"
+#include "core/result.h"
 #include "geometry/trajectory.h"
 #include "synthetic/camera_path.h"
 #include "synthetic/mannequin.h"
@@ -23,14 +23,17 @@ Rig SyntheticRig(int width = 640, int height = 480);
 struct SequenceOptions {
   PathKind path = PathKind::kXyz;
   int num_frames = 300;
-  uint64_t seed = 1;      ///< decides on the room, the people's looks, the hand's tremor and the noise
-  int num_people = 0;     ///< who walk through the room; at most kMaxPeople
-  double noise = 1;       ///< of colour and depth; 0: exact
-  RoomOptions room;       ///< its seed is not used: `seed` is
+  uint64_t seed = 1;   ///< decides on the room, the people's looks, the hand's tremor and the noise
+  int num_people = 0;  ///< who walk through the room; at most kMaxPeople
+  double noise = 1;    ///< of colour and depth; 0: exact
+  RoomOptions room;    ///< its seed is not used: `seed` is
   Rig rig = SyntheticRig();
 };
 
 constexpr int kMaxPeople = 20;
+
+/// Bad input when the options make no sequence: counts or noise out of range, a lens that cannot be straightened.
+Status CheckOptions(const SequenceOptions& options);
 
 /// A person's visible part: pixel columns [left, right), rows [top, bottom).
 struct PersonBox {
@@ -44,17 +47,17 @@ constexpr int kMinVisiblePx = 150;
 
 /// One moment of a sequence, with everything that is known about it.
 struct RenderedFrame {
-  ImageSet images;                ///< as the sensors deliver them
-  Rigid3 world_from_cam;          ///< exact
-  cv::Mat exact_depth;            ///< CV_32FC1, metres, without noise or holes
-  cv::Mat mask;                   ///< CV_8UC1: 0 the room, k the k-th person
-  std::vector<PersonBox> boxes;   ///< of the people in sight
+  ImageSet images;               ///< as the sensors deliver them
+  Rigid3 world_from_cam;         ///< exact
+  cv::Mat exact_depth;           ///< CV_32FC1, metres, without noise or holes
+  cv::Mat mask;                  ///< CV_8UC1: 0 the room, k the k-th person
+  std::vector<PersonBox> boxes;  ///< of the people in sight
 };
 
 /// A sequence that is rendered frame by frame, in any order and on any number of threads at once.
 class SyntheticSequence {
  public:
-  /// Builds the room, on `options.room.num_threads` threads.
+  /// Builds the room, on `options.room.num_threads` threads. The options have passed CheckOptions.
   explicit SyntheticSequence(const SequenceOptions& options);
 
   RenderedFrame Render(int frame) const;

@@ -26,12 +26,18 @@ Frame FaceFrame(const Eigen::Vector3f& size, Face face) {
   const float w = size.x() / 2, d = size.y() / 2, h = size.z();
   const Eigen::Vector3f x(size.x(), 0, 0), y(0, size.y(), 0), z(0, 0, h);
   switch (face) {
-    case Face::kFront: return {{-w, -d, 0}, x, z};
-    case Face::kBack: return {{w, d, 0}, -x, z};
-    case Face::kLeft: return {{-w, d, 0}, -y, z};
-    case Face::kRight: return {{w, -d, 0}, y, z};
-    case Face::kTop: return {{-w, -d, h}, x, y};
-    case Face::kBottom: break;
+    case Face::kFront:
+      return {{-w, -d, 0}, x, z};
+    case Face::kBack:
+      return {{w, d, 0}, -x, z};
+    case Face::kLeft:
+      return {{-w, d, 0}, -y, z};
+    case Face::kRight:
+      return {{w, -d, 0}, y, z};
+    case Face::kTop:
+      return {{-w, -d, h}, x, y};
+    case Face::kBottom:
+      break;
   }
   return {{-w, d, 0}, x, -y};
 }
@@ -86,9 +92,11 @@ void AppendTurned(const Eigen::Isometry3f& world_from_shape, const std::vector<S
     const Slice& slice = slices[i];
     const Slice &below = slices[i > 0 ? i - 1 : i], &above = slices[i + 1 < slices.size() ? i + 1 : i];
     for (int j = 0; j < num_columns; ++j) {
-      const float round = static_cast<float>(j) / static_cast<float>(look.num_sectors), angle = 2 * kPi * round + kPi / 2;
+      const float round = static_cast<float>(j) / static_cast<float>(look.num_sectors),
+                  angle = 2 * kPi * round + kPi / 2;
       const float c = std::cos(angle), s = std::sin(angle);
-      const Eigen::Vector3f along(c * (above.half_x - below.half_x), s * (above.half_y - below.half_y), above.height - below.height);
+      const Eigen::Vector3f along(c * (above.half_x - below.half_x), s * (above.half_y - below.half_y),
+                                  above.height - below.height);
       const Eigen::Vector3f around(-s * std::max(slice.half_x, 1e-3f), c * std::max(slice.half_y, 1e-3f), 0);
       Vertex vertex;
       vertex.x_in_world = world_from_shape * Eigen::Vector3f(c * slice.half_x, s * slice.half_y, slice.height);

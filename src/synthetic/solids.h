@@ -13,11 +13,11 @@ namespace yorb {
 /// How a texture lies on a face: fitted (`tile` 0: the `part` of the texture fills the face), or at its own scale.
 struct Look {
   int texture = 0;
-  float tile = 0;                                           ///< metres that one texture spans; 0: fitted
-  Eigen::Vector2f offset = Eigen::Vector2f::Zero();         ///< where the face begins in a texture at its own scale
-  bool is_turned = false;                                   ///< the texture's x runs upwards
-  Eigen::Array4f part{0, 0, 1, 1};                          ///< left, top, width, height of a fitted texture
-  bool is_glowing = false;                                  ///< shines by itself (screens, lamps, windows)
+  float tile = 0;                                    ///< metres that one texture spans; 0: fitted
+  Eigen::Vector2f offset = Eigen::Vector2f::Zero();  ///< where the face begins in a texture at its own scale
+  bool is_turned = false;                            ///< the texture's x runs upwards
+  Eigen::Array4f part{0, 0, 1, 1};                   ///< left, top, width, height of a fitted texture
+  bool is_glowing = false;                           ///< shines by itself (screens, lamps, windows)
 };
 
 /// The faces of a box; its front looks along -y, its top along +z.

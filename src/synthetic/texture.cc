@@ -30,7 +30,8 @@ int Floor(float x) {
 }  // namespace
 
 Texture::Texture(const cv::Mat& bgr) {
-  YORB_CHECK(bgr.type() == CV_8UC3 && IsPowerOfTwo(bgr.cols) && IsPowerOfTwo(bgr.rows), "a texture's sides are powers of two");
+  YORB_CHECK(bgr.type() == CV_8UC3 && IsPowerOfTwo(bgr.cols) && IsPowerOfTwo(bgr.rows),
+             "a texture's sides are powers of two");
   cv::Mat picture = bgr;
   while (true) {
     Level level{picture.cols, picture.rows, {}};
@@ -38,7 +39,8 @@ Texture::Texture(const cv::Mat& bgr) {
     for (int y = 0; y < picture.rows; ++y) {
       for (int x = 0; x < picture.cols; ++x) {
         const cv::Vec3b& c = picture.at<cv::Vec3b>(y, x);
-        level.texels.push_back(static_cast<uint32_t>(c[0]) | static_cast<uint32_t>(c[1]) << 8 | static_cast<uint32_t>(c[2]) << 16);
+        level.texels.push_back(static_cast<uint32_t>(c[0]) | static_cast<uint32_t>(c[1]) << 8 |
+                               static_cast<uint32_t>(c[2]) << 16);
       }
     }
     levels_.push_back(std::move(level));
@@ -83,7 +85,8 @@ Eigen::Array3f Texture::Sample(const Eigen::Vector2f& uv, const Eigen::Vector2f&
   const float longer = std::max({right_length, down_length, 1e-6f});
   const float shorter = std::max(std::abs(right.x() * down.y() - right.y() * down.x()) / longer, 1e-6f);
   // As many taps along the longer side as it takes to cover it with squares of the shorter side.
-  const int num_taps = longer <= 1.f ? 1 : std::clamp(static_cast<int>(longer / std::max(shorter, 1.f) + 0.5f), 1, kMaxTaps);
+  const int num_taps =
+      longer <= 1.f ? 1 : std::clamp(static_cast<int>(longer / std::max(shorter, 1.f) + 0.5f), 1, kMaxTaps);
   const float lod = std::log2(std::max(longer / static_cast<float>(num_taps), shorter));
   if (num_taps == 1) return Trilinear(uv.x(), uv.y(), lod);
   const Eigen::Vector2f& axis = right_length > down_length ? right_step : down_step;

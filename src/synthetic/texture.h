@@ -18,7 +18,8 @@ class Texture {
 
   /// Mean colour (B, G, R in 0..255) around `uv`, where one texture spans 1 x 1, over the parallelogram that one step
   /// to the right and one step down in the picture span on the texture.
-  Eigen::Array3f Sample(const Eigen::Vector2f& uv, const Eigen::Vector2f& right_step, const Eigen::Vector2f& down_step) const;
+  Eigen::Array3f Sample(const Eigen::Vector2f& uv, const Eigen::Vector2f& right_step,
+                        const Eigen::Vector2f& down_step) const;
 
   int width() const { return levels_.front().width; }
   int height() const { return levels_.front().height; }
