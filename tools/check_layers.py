@@ -113,9 +113,9 @@ def check_include(root, layers, path, name, is_quoted, where):
             way = "sideways" if layers.line_of[room] == layers.line_of[other] else "down"
             yield (f"{where}: {room} includes {way} into {other}; move what both need to a room above "
                    "(or make it a message in map/event.h)")
-    elif is_quoted and other == "apps":
-        if not path.startswith("apps/"):
-            yield f"{where}: apps is below every room and is included by itself alone"
+    elif is_quoted and other in ("apps", "tests"):
+        if not path.startswith(other + "/"):
+            yield f"{where}: {other} is below every room and is included by itself alone"
     elif is_quoted:
         yield f'{where}: "{name}" is of no room; third parties stand in <>, our headers begin with their room'
     else:

@@ -23,9 +23,7 @@ class Files : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
   std::string Text(const std::string& name) const { return *ReadWholeText(folder_ + name); }
-  size_t Count() const {
-    return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
-  }
+  size_t Count() const { return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder_), {})); }
 
   std::string folder_;
 };
