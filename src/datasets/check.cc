@@ -79,6 +79,7 @@ class Examiner {
   void ReportFiles();
   void ReportCamera();
   void ReportPictures();
+  void CompareSizes(const cv::Size& size);
   void ReportDepth();
   void ReportTruth();
   void SampleDepth(size_t frame, const cv::Size& size);
@@ -175,15 +176,17 @@ void Examiner::ReportPictures() {
         SizeText(*size) + ", " + std::to_string(check_.num_sampled) + " looked into, " +
             std::to_string(check_.num_unreadable) + " unreadable");
   }
-  if (chosen_) {
-    const auto rig = FitChosenCamera(*chosen_, size->width, size->height);
-    if (!rig) return Add(Level::kError, "camera", rig.error().message);
-    rig_ = *rig;
-    if (chosen_->rig.camera.width != 0 && chosen_->rig.camera.width != size->width) {
-      Add(Level::kWarning, "camera", "the camera is for pictures of another size and would be scaled to them");
-    }
-  }
+  if (chosen_) CompareSizes(*size);
   ReportDepth();
+}
+
+void Examiner::CompareSizes(const cv::Size& size) {
+  const auto rig = FitChosenCamera(*chosen_, size.width, size.height);
+  if (!rig) return Add(Level::kError, "camera", rig.error().message);
+  rig_ = *rig;
+  if (chosen_->rig.camera.width != 0 && chosen_->rig.camera.width != size.width) {
+    Add(Level::kWarning, "camera", "the camera is for pictures of another size and would be scaled to them");
+  }
 }
 
 void Examiner::SampleDepth(size_t frame, const cv::Size& size) {

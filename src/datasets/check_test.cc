@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "datasets/depth_watch.h"
+#include "datasets/test_folder.h"
+
+namespace yorb {
+namespace {
+
+using ::testing::HasSubstr;
+
+bool Finds(const SequenceCheck& check, Finding::Level level, const std::string& topic) {
+  return std::any_of(check.findings.begin(), check.findings.end(),
+                     [&](const Finding& f) { return f.level == level && f.topic == topic; });
+}
+
+class Check : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    WriteRecording(folder_, "seq", 6);
+    folder_.Write("seq/groundtruth.txt",
+                  "# truth\n1000.0 0 0 0 0 0 0 1\n1000.034 0 0 0 0 0 0 1\n1000.066 0 0 0 0 0 0 1\n");
+  }
+  SequenceCheck Run(const std::string& camera = "") { return CheckSequence(folder_.Path("seq"), camera); }
+
+  TestFolder folder_;
+};
+
+TEST_F(Check, AGoodRecordingIsUsableInNumbers) {
+  const SequenceCheck check = Run();
+  EXPECT_TRUE(check.is_usable()) << CheckText(check);
+  EXPECT_EQ(check.colour.count, 6u);
+  EXPECT_NEAR(*check.colour.rate_hz, 30, 0.01);
+  EXPECT_EQ(*check.num_pairs, 6u);
+  EXPECT_NEAR(*check.median_pair_distance_s, 0.005, 1e-6);
+  EXPECT_EQ(*check.width, 64);
+  EXPECT_NEAR(*check.depth_median_m, 1.5, 1e-6);
+  EXPECT_EQ(*check.depth_hole_share, 0);
+  EXPECT_NEAR(*check.truth_share, 0.5, 1e-9);
+  const auto json = nlohmann::json::parse(CheckJson(check));
+  EXPECT_EQ(json["usable"], true);
+  EXPECT_EQ(json["pairs"], 6);
+  EXPECT_NEAR(json["depth_range_m"]["median"].get<double>(), 1.5, 1e-6);
+}
+
+TEST_F(Check, SaysSeveralThingsAtOnce) {
+  std::filesystem::remove(folder_.Path("seq/camera.yaml"));
+  std::filesystem::remove(folder_.Path("seq/rgb/5.png"));
+  folder_.Write("seq/rgb/2.png", "");
+  const SequenceCheck check = Run();
+  EXPECT_FALSE(check.is_usable());
+  EXPECT_TRUE(Finds(check, Finding::Level::kError, "files"));
+  EXPECT_TRUE(Finds(check, Finding::Level::kError, "camera"));
+  EXPECT_TRUE(Finds(check, Finding::Level::kWarning, "pictures"));
+  EXPECT_THAT(CheckText(check), HasSubstr("not usable"));
+  const auto json = nlohmann::json::parse(CheckJson(check));
+  EXPECT_TRUE(json["camera"].is_null());
+  EXPECT_TRUE(json["depth_range_m"]["median"].is_null());
+}
+
+TEST_F(Check, AbsurdDepthFactorsAndSizesAreSeen) {
+  std::string camera = kTestCamera;
+  folder_.Write("seq/camera.yaml", camera.replace(camera.find("1000"), 4, "1"));
+  EXPECT_TRUE(Finds(Run(), Finding::Level::kWarning, "depth"));
+  folder_.Write("seq/camera.yaml", "fx: 50\nfy: 50\ncx: 31.5\ncy: 23.5\nwidth: 64\nheight: 64\ndepth_factor: 1000\n");
+  EXPECT_TRUE(Finds(Run(), Finding::Level::kError, "camera"));
+  folder_.WritePicture("seq/depth/3.png", TestColour(1));
+  EXPECT_TRUE(Finds(Run(), Finding::Level::kError, "depth"));
+}
+
+TEST_F(Check, ReadsWhatIsThereOfABrokenFolder) {
+  folder_.Write("seq/rgb.txt", "1000.0 rgb/0.png\n1000.0 rgb/1.png\n");
+  EXPECT_TRUE(Finds(Run(), Finding::Level::kError, "lists"));
+  EXPECT_FALSE(CheckSequence(folder_.Path("gone"), "").is_usable());
+  EXPECT_TRUE(nlohmann::json::accept(CheckJson(CheckSequence("g\xff\"one", ""))));
+}
+
+LoadedFrame FrameWithDepth(double share, double median_m) {
+  LoadedFrame frame;
+  frame.images = ImageSet{};
+  frame.depth = {true, false, share, median_m};
+  return frame;
+}
+
+class Watch : public ::testing::Test {
+ protected:
+  std::string Warnings(double share, double median_m) {
+    ::testing::internal::CaptureStderr();
+    Rig rig;
+    rig.name = "cam";
+    DepthWatch watch(rig);
+    for (int i = 0; i < 20; ++i) watch.Add(FrameWithDepth(share, median_m));
+    watch.Conclude();
+    return ::testing::internal::GetCapturedStderr();
+  }
+};
+
+TEST_F(Watch, WarnsOnceOfWhatCannotBeMeant) {
+  EXPECT_EQ(Warnings(0.8, 1.5), "");
+  EXPECT_THAT(Warnings(0.0, 0.0), HasSubstr("no usable depth"));
+  for (const double median_m : {0.005, 7500.0}) {
+    const std::string said = Warnings(0.8, median_m);
+    EXPECT_THAT(said, HasSubstr("depth factor"));
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1);
+  }
+}
+
+TEST(GlanceAt, SeesShareAndMedian) {
+  cv::Mat pixels(48, 64, CV_16UC1, cv::Scalar(2000));
+  pixels.colRange(0, 32).setTo(0);
+  const DepthGlance glance = GlanceAt({pixels, 1e-3});
+  EXPECT_NEAR(glance.measured_share, 0.5, 0.05);
+  EXPECT_NEAR(glance.median_m, 2, 1e-6);
+  EXPECT_FALSE(GlanceAt({}).has_picture);
+}
+
+}  // namespace
+}  // namespace yorb

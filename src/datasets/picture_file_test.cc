@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/picture_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "datasets/test_folder.h"
+
+namespace yorb {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(PictureFile, WholePicturesAreReadAsStored) {
+  const TestFolder folder;
+  folder.WritePicture("c.png", TestColour(1));
+  folder.WritePicture("d.png", TestDepth(1234));
+  folder.WritePicture("f.tiff", cv::Mat(4, 6, CV_32FC1, cv::Scalar(1.5)));
+  for (const char* name : {"c.png", "d.png", "f.tiff"}) EXPECT_EQ(ReadPictureFile(folder.Path(name)).fault, "") << name;
+  EXPECT_EQ(cv::norm(ReadPictureFile(folder.Path("c.png")).pixels, TestColour(1), cv::NORM_INF), 0);
+  EXPECT_EQ(ReadPictureFile(folder.Path("d.png")).pixels.at<uint16_t>(3, 3), 1234);
+  EXPECT_EQ(ReadPictureFile(folder.Path("f.tiff")).pixels.at<float>(3, 3), 1.5f);
+}
+
+TEST(PictureFile, CutFilesAreFoundWhereverTheyAreCut) {
+  const TestFolder folder;
+  for (const std::string name : {"c.jpg", "c.png", "d.png"}) {
+    folder.WritePicture(name, name == "d.png" ? TestDepth(777) : TestColour(1, 200, 150));
+    const std::string whole = folder.Read(name);
+    EXPECT_EQ(FaultOfPictureBytes(whole), "") << name;
+    EXPECT_EQ(FaultOfPictureBytes(whole + std::string(100, '\0')), "") << name << " with a tail is whole";
+    for (const size_t size : {size_t{0}, size_t{3}, whole.size() / 10, whole.size() / 2, whole.size() - 2}) {
+      folder.Write("cut_" + name, whole.substr(0, size));
+      const StoredPicture cut = ReadPictureFile(folder.Path("cut_" + name));
+      EXPECT_NE(cut.fault, "") << name << " cut to " << size << " of " << whole.size();
+      EXPECT_TRUE(cut.pixels.empty());
+    }
+    folder.Write("zeroed_" + name,
+                 whole.substr(0, whole.size() / 2) + std::string(whole.size() - whole.size() / 2, '\0'));
+    EXPECT_NE(ReadPictureFile(folder.Path("zeroed_" + name)).fault, "") << name << " with its second half lost";
+  }
+}
+
+TEST(PictureFile, ThePreviewInAJpegsHeaderDoesNotCountAsItsEnd) {
+  const TestFolder folder;
+  folder.WritePicture("c.jpg", TestColour(1, 200, 150));
+  folder.WritePicture("preview.jpg", TestColour(2, 20, 15));
+  const std::string whole = folder.Read("c.jpg"), preview = "Exif" + folder.Read("preview.jpg");
+  const size_t length = preview.size() + 2;
+  std::string with_preview = whole.substr(0, 2) + "\xff\xe1" + static_cast<char>(length >> 8) +
+                             static_cast<char>(length & 255) + preview + whole.substr(2);
+  EXPECT_EQ(FaultOfPictureBytes(with_preview), "");
+  EXPECT_NE(FaultOfPictureBytes(with_preview.substr(0, with_preview.size() / 2 + preview.size() / 2)), "");
+}
+
+TEST(PictureFile, WhatIsNoPictureIsSaid) {
+  const TestFolder folder;
+  folder.Write("text.png", "not a picture at all");
+  folder.Write("lfs.png", "version https://git-lfs.github.com/spec/v1\noid sha256:00\n");
+  EXPECT_THAT(ReadPictureFile(folder.Path("text.png")).fault, HasSubstr("decoded"));
+  EXPECT_THAT(ReadPictureFile(folder.Path("lfs.png")).fault, HasSubstr("LFS"));
+  EXPECT_THAT(ReadPictureFile(folder.Path("gone.png")).fault, HasSubstr("opened"));
+  EXPECT_NE(ReadPictureFile(folder.Path()).fault, "");
+}
+
+TEST(ColourAndGrey, EveryUsualKindIsTheSamePicture) {
+  const cv::Mat bgr = TestColour(3);
+  cv::Mat bgra, grey, bgr16, grey16;
+  cv::cvtColor(bgr, bgra, cv::COLOR_BGR2BGRA);
+  cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+  bgr.convertTo(bgr16, CV_16U, 257);
+  grey.convertTo(grey16, CV_16U, 257);
+  for (const cv::Mat& stored : {bgr, bgra, bgr16}) {
+    const auto picture = ToColourAndGrey(stored, "a.png");
+    ASSERT_TRUE(picture.ok());
+    EXPECT_EQ(cv::norm(picture->colour, bgr, cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(picture->grey, grey, cv::NORM_INF), 0);
+  }
+  for (const cv::Mat& stored : {grey, grey16}) {
+    const auto picture = ToColourAndGrey(stored, "a.png");
+    ASSERT_TRUE(picture.ok());
+    EXPECT_TRUE(picture->colour.empty());
+    EXPECT_EQ(cv::norm(picture->grey, grey, cv::NORM_INF), 0);
+  }
+  const auto floats = ToColourAndGrey(cv::Mat(4, 4, CV_32FC3), "a.tiff");
+  ASSERT_FALSE(floats.ok());
+  EXPECT_THAT(floats.error().message, HasSubstr("a.tiff"));
+}
+
+TEST(Depth, OnlyDepthOfTheColourPicturesSizeIsTaken) {
+  EXPECT_TRUE(CheckDepth(cv::Mat(4, 6, CV_16UC1), {6, 4}, "d.png").ok());
+  EXPECT_TRUE(CheckDepth(cv::Mat(4, 6, CV_32FC1), {6, 4}, "d.png").ok());
+  for (const int type : {CV_8UC1, CV_8UC3, CV_16UC3, CV_32FC3, CV_64FC1, CV_16SC1}) {
+    const Status wrong = CheckDepth(cv::Mat(4, 6, type), {6, 4}, "d.png");
+    ASSERT_FALSE(wrong.ok()) << type;
+    EXPECT_THAT(wrong.error().message, HasSubstr("d.png"));
+  }
+  EXPECT_THAT(CheckDepth(cv::Mat(2, 3, CV_16UC1), {6, 4}, "d.png").error().message, HasSubstr("3x2"));
+}
+
+}  // namespace
+}  // namespace yorb
