@@ -3,7 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -12,8 +15,8 @@ namespace yorb {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Which 6x6 blocks of a symmetric matrix occur, in the upper half: row <= column. The first `size` slots are the
-/// diagonal, in order.
+/// Which 6x6 blocks of a symmetric matrix occur, in the upper half: row <= column. The first `size` are the diagonal,
+/// the others follow by row and then by column.
 struct BlockPattern {
   uint32_t size = 0;  ///< block rows
   std::vector<std::pair<uint32_t, uint32_t>> blocks;
@@ -26,7 +29,8 @@ struct ReducedSystem {
   std::vector<Vector6d> right;
 };
 
-/// Solves reduced systems of one pattern, without allocating anything from one to the next.
+/// Solves reduced systems of one pattern: dense for a neighbourhood of keyframes, sparse for a large map of which most
+/// keyframes see nothing in common. The dense way allocates nothing from one system to the next.
 class ReducedSolver {
  public:
   ReducedSolver() = default;
@@ -37,8 +41,18 @@ class ReducedSolver {
 
   Eigen::Map<const Vector6d> Solution(uint32_t row) const { return Eigen::Map<const Vector6d>(&solution_[6 * row]); }
 
+  bool IsSparse() const { return factor_ != nullptr; }
+
  private:
+  using SparseFactor = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
+
+  void MakeSparse(const BlockPattern& pattern);
+  bool SolveDense(const ReducedSystem& system);
+  bool SolveSparse(const ReducedSystem& system);
+
   Eigen::MatrixXd dense_;
+  Eigen::SparseMatrix<double> sparse_;  // the lower half
+  std::unique_ptr<SparseFactor> factor_;
   Eigen::VectorXd solution_;
 };
 
