@@ -55,7 +55,13 @@ Result<std::string> FindConfigFile(const std::string& kind, const std::string& n
 Result<Rig> ReadCamera(const std::string& name_or_file) {
   const auto names = BuiltinCameraNames();
   const bool is_builtin = std::find(names.begin(), names.end(), name_or_file) != names.end();
-  if (!is_builtin && LooksLikeFile(name_or_file)) return ReadCameraFile(name_or_file);
+  if (!is_builtin && LooksLikeFile(name_or_file)) {
+    const std::string stem = fs::path(name_or_file).stem().string();
+    std::error_code ignored;
+    const bool is_meant = std::find(names.begin(), names.end(), stem) != names.end();
+    if (!is_meant || fs::exists(name_or_file, ignored)) return ReadCameraFile(name_or_file);
+    return BadInput(name_or_file + " does not exist; for the camera of that name give " + stem);
+  }
   const auto path = FindConfigFile("cameras", name_or_file);
   if (path) return ReadCameraFile(*path);
   if (path.error().kind != Error::Kind::kBadInput) return path.error();

@@ -118,6 +118,7 @@ TEST(BuiltinCamera, UnknownNamesAreRefusedWithTheKnownOnes) {
   EXPECT_THAT(unknown.error().message, HasSubstr("tum_fr9"));
   EXPECT_THAT(unknown.error().message, HasSubstr("tum_fr3"));
   EXPECT_THAT(ReadCamera("gone.yaml").error().message, HasSubstr("gone.yaml"));
+  EXPECT_THAT(ReadCamera("tum_fr1.yaml").error().message, HasSubstr("give tum_fr1"));
   EXPECT_THAT(FindConfigFile("cameras", "tum_fr").error().message, HasSubstr("tum_fr1"));
 }
 

@@ -98,8 +98,16 @@ Rig ReadOurs(KeyReader& reader) {
       "type",        "name",       "width",        "height",       "fps", "fx", "fy", "cx", "cy", "distortion",
       "baseline_px", "baseline_m", "close_factor", "depth_factor", "k1",  "k2", "p1", "p2", "k3", "k4",
       "k5",          "k6"};
-  for (const KeyEntry& entry : reader.table().entries) {
-    if (std::find(known.begin(), known.end(), entry.key) == known.end()) RefuseUnknown(reader, entry.key, known);
+  const auto is_known = [&](const KeyEntry& entry) {
+    return std::find(known.begin(), known.end(), entry.key) != known.end();
+  };
+  const auto& entries = reader.table().entries;
+  if (std::none_of(entries.begin(), entries.end(), is_known)) {
+    reader.RefuseFile("is no camera file of a known kind: its first key is " + entries.front().key +
+                      ", and there is no fx, Camera.fx, camera_matrix or intrinsics");
+  }
+  for (const KeyEntry& entry : entries) {
+    if (!is_known(entry)) RefuseUnknown(reader, entry.key, known);
   }
   const std::string type = LowerCase(reader.Word("type", "pinhole"));
   if (type != "pinhole") reader.Refuse("type", "is '" + type + "': " + kFishEye);
@@ -135,6 +143,8 @@ const std::vector<std::string>& OrbSlamKeys() {
                                   "Stereo.T_c1_c2",
                                   "RGBD.DepthMapFactor",
                                   "Preprocessing.depthmap_factor",
+                                  "Camera1.overlappingBegin",
+                                  "Camera1.overlappingEnd",
                                   "baseline_px",
                                   "baseline_m",
                                   "close_factor",
@@ -162,9 +172,10 @@ const std::vector<std::string>& OrbSlamKeys() {
                              "newHeight",
                              "imageScale",
                              "true_baseline",
-                             "camera_matrix",
                              "lappingBegin",
-                             "lappingEnd"}) {
+                             "lappingEnd",
+                             "num_grid_cols",
+                             "num_grid_rows"}) {
       list.push_back(std::string("Camera.") + name);
     }
     return list;

@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <random>
 
 namespace yorb {
 namespace {
@@ -234,6 +236,33 @@ TEST(FitToPictures, WithoutSizeThePrincipalPointMustBePlausible) {
   EXPECT_EQ(fitted->rig.camera.width, 640);
   EXPECT_FALSE(FitToPictures(rig, 320, 240).ok());
   EXPECT_FALSE(FitToPictures(rig, 1920, 1080).ok());
+}
+
+TEST(CameraFile, DamagedInAnyWayIsRefusedOrReadAsPlausibleNumbers) {
+  std::mt19937 random(3);
+  const std::string letters = "0123456789.-:,[]{}\"'#&*!%\n\t eEfx";
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = kOrb2;
+    for (int k = 0; k < 1 + round % 4; ++k) {
+      const size_t at = random() % text.size();
+      if (round % 3 == 0) text.erase(at, 1 + random() % 20);
+      if (round % 3 == 1) text[at] = letters[random() % letters.size()];
+      if (round % 3 == 2) text.insert(at, 1, letters[random() % letters.size()]);
+    }
+    const auto rig = ParseCameraFile(text, "some/cam.yaml");
+    if (!rig) {
+      EXPECT_THAT(rig.error().message, HasSubstr("some/cam.yaml"));
+      continue;
+    }
+    const Pinhole& camera = rig->camera;
+    for (const double number : {camera.fx, camera.fy, rig->baseline_px, rig->close_factor}) {
+      EXPECT_TRUE(std::isfinite(number) && number > 0) << text;
+    }
+    EXPECT_TRUE(std::isfinite(camera.cx) && std::isfinite(camera.cy)) << text;
+    for (const double number : camera.distortion) EXPECT_TRUE(std::isfinite(number)) << text;
+    EXPECT_GE(rig->depth_factor, 0) << text;
+  }
+  Complaint(std::string(100000, '['));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -38,6 +39,41 @@ double BeyondDouble(std::string_view text) {
   return text.front() == '-' ? -magnitude : magnitude;
 }
 
+void AppendUtf8(uint32_t letter, std::string& text) {
+  const auto add = [&text](uint32_t bits) { text += static_cast<char>(bits); };
+  if (letter < 0x80) return add(letter);
+  if (letter < 0x800) {
+    add(0xc0 | letter >> 6);
+  } else {
+    if (letter < 0x10000) add(0xe0 | letter >> 12);
+    if (letter >= 0x10000) {
+      add(0xf0 | letter >> 18);
+      add(0x80 | (letter >> 12 & 0x3f));
+    }
+    add(0x80 | (letter >> 6 & 0x3f));
+  }
+  add(0x80 | (letter & 0x3f));
+}
+
+/// What PowerShell's `>` writes: UTF-16 with a byte-order mark.
+std::string FromUtf16(const std::string& content) {
+  const bool is_little = content.compare(0, 2, "\xff\xfe") == 0;
+  const auto unit = [&](size_t at) -> uint32_t {
+    const auto first = static_cast<unsigned char>(content[at]), second = static_cast<unsigned char>(content[at + 1]);
+    return is_little ? first | second << 8 : first << 8 | second;
+  };
+  std::string text;
+  for (size_t at = 2; at + 1 < content.size(); at += 2) {
+    uint32_t letter = unit(at);
+    if (letter >= 0xd800 && letter < 0xdc00 && at + 3 < content.size()) {
+      letter = 0x10000 + ((letter - 0xd800) << 10) + ((unit(at + 2) - 0xdc00) & 0x3ff);
+      at += 2;
+    }
+    AppendUtf8(letter, text);
+  }
+  return text;
+}
+
 }  // namespace
 
 Result<std::string> ReadWholeText(const std::string& path) {
@@ -50,6 +86,8 @@ Result<std::string> ReadWholeText(const std::string& path) {
   }
   std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   if (stream.bad()) return BadInput(path + " cannot be read to its end");
+  const std::string mark = content.substr(0, 2);
+  if (mark == "\xff\xfe" || mark == "\xfe\xff") content = FromUtf16(content);
   if (content.find('\0') != std::string::npos) return BadInput(path + " is no text file: it holds zero bytes");
   if (content.compare(0, 3, "\xef\xbb\xbf") == 0) content.erase(0, 3);
   return content;

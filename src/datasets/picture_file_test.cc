@@ -44,6 +44,15 @@ TEST(PictureFile, CutFilesAreFoundWhereverTheyAreCut) {
   }
 }
 
+TEST(PictureFile, ADamagedPngIsNotHalfRead) {
+  const TestFolder folder;
+  folder.WritePicture("c.png", TestColour(1, 200, 150));
+  std::string bytes = folder.Read("c.png");
+  bytes.replace(bytes.size() / 2, 16, 16, '\x55');
+  folder.Write("c.png", bytes);
+  EXPECT_NE(ReadPictureFile(folder.Path("c.png")).fault, "");
+}
+
 TEST(PictureFile, ThePreviewInAJpegsHeaderDoesNotCountAsItsEnd) {
   const TestFolder folder;
   folder.WritePicture("c.jpg", TestColour(1, 200, 150));

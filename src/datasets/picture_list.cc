@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 #include "core/log.h"
@@ -14,8 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongestStep = 10;   // seconds between neighbours (median) beyond which stamps are no seconds
-constexpr double kStrangeStep = 0.5;  // seconds beyond which they may be frame numbers
+constexpr double kLongestStep = 10;     // seconds between neighbours (median) beyond which stamps are no seconds
+constexpr double kShortestStep = 1e-4;  // seconds below which they are no seconds either
+constexpr double kStrangeStep = 0.5;    // seconds beyond which they may be frame numbers
 
 bool IsDigits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
@@ -74,7 +76,7 @@ bool HasPictureEnding(std::string_view name) {
 Result<Timestamp> ReadStamp(std::string_view text, const std::string& where) {
   if (const auto time = ParseTimestamp(text)) return *time;
   const std::string start = where + ": '" + std::string(text) + "' ";
-  if (IsDigits(text)) {
+  if (const auto number = ParseDouble(text); number && std::isfinite(*number)) {
     return BadInput(start +
                     "is no time in seconds; if it counts nanoseconds (or micro- or milliseconds), write seconds "
                     "with a decimal point");
@@ -141,6 +143,10 @@ Status CheckStamps(const PictureList& list) {
   if (step > kLongestStep) {
     return BadInput(list.file + ": time stamps are " + FormatShortest(step) +
                     " apart (median), so they are no seconds but counts or nanoseconds; write seconds");
+  }
+  if (list.pictures.size() > 1 && step < kShortestStep) {
+    return BadInput(list.file + ": time stamps are " + FormatShortest(step) +
+                    " apart (median), which is no camera's rate in seconds; write seconds");
   }
   if (step > kStrangeStep) {
     LogWarning("stamps", list.file + ": time stamps are " + FormatShortest(step) +

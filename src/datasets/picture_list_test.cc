@@ -60,6 +60,14 @@ TEST_F(Lists, EverySpellingOfALineIsTheSameLine) {
   }
 }
 
+TEST_F(Lists, OfPowerShellAreUtf16) {
+  std::string utf16 = "\xff\xfe";
+  for (const char letter : std::string("1.25 rgb/a.png\r\n1.5 rgb/b.png\r\n")) utf16 += {letter, '\0'};
+  const auto list = ReadList(utf16);
+  ASSERT_EQ(list.pictures.size(), 2u);
+  EXPECT_EQ(list.pictures[1].name, "rgb/b.png");
+}
+
 TEST_F(Lists, NamesMayHoldBlanksAndLieAnywhere) {
   folder_.Write("rgb/picture 1 (a).jpg", "x");
   folder_.Write("far/s\xc3\xa9q.png", "x");
@@ -89,6 +97,9 @@ TEST_F(Lists, StampsMustIncreaseAndBeSeconds) {
   EXPECT_THAT(ListComplaint("# x\n1.2 a.png\n1.1 b.png\n"), HasSubstr("goes back"));
   EXPECT_THAT(ListComplaint("1403636579763555584 a.png\n1403636579813555456 b.png\n"), HasSubstr("nanoseconds"));
   EXPECT_THAT(ListComplaint("1403636579763 a.png\n1403636579813 b.png\n"), HasSubstr("second"));
+  EXPECT_THAT(ListComplaint("1.403636579763555584e18 a.png\n"), HasSubstr("nanoseconds"));
+  EXPECT_THAT(ListComplaint("1403636579763.25 a.png\n"), HasSubstr("second"));
+  EXPECT_THAT(ListComplaint("0.00000001 a.png\n0.00000002 b.png\n"), HasSubstr("second"));
   EXPECT_THAT(ListComplaint("0 a.png\n33333333 b.png\n66666667 c.png\n"), HasSubstr("nanoseconds"));
   EXPECT_THAT(ListComplaint("0 a.png\n33 b.png\n67 c.png\n"), HasSubstr("count"));
   EXPECT_TRUE(CheckStamps(ReadList("0 a.png\n0.033 b.png\n3600 c.png\n3600.033 d.png\n")).ok()) << "an hour's gap";

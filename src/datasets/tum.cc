@@ -87,6 +87,15 @@ Result<TumLists> FromTwoLists(const std::string& folder) {
   return lists;
 }
 
+/// A picture of the same name with another ending, as conversions leave them: for the complaint.
+std::string WithAnotherEnding(const std::string& path) {
+  for (const char* ending : {".png", ".jpg", ".jpeg", ".tiff", ".tif", ".pgm", ".bmp"}) {
+    const std::string other = fs::path(path).replace_extension(ending).string();
+    if (IsFile(other)) return "; there is " + other;
+  }
+  return "";
+}
+
 class TumDataset : public Dataset {
  public:
   TumDataset(TumLists lists, Rig rig) : lists_(std::move(lists)), rig_(std::move(rig)) {}
@@ -174,7 +183,7 @@ Status LookForFiles(const TumLists& lists) {
     const auto num_missing = std::count_if(first, pictures.end(), is_missing);
     const std::string how_many = std::to_string(num_missing) + " of the " + std::to_string(pictures.size());
     return BadInput(first->path + " is missing (" + list->file + ", line " + std::to_string(first->line) + "); " +
-                    how_many + " files that the list names are not there");
+                    how_many + " files that the list names are not there" + WithAnotherEnding(first->path));
   }
   return Status::Ok();
 }
