@@ -25,6 +25,7 @@ Place Moved(float x, float y, float z) { return Place(Eigen::Translation3f(x, y,
 
 // Swings what hangs down forwards (towards -y).
 Place Forwards(float radians) { return Place(Eigen::AngleAxisf(-radians, Eigen::Vector3f::UnitX())); }
+Place Turned(float radians) { return Place(Eigen::AngleAxisf(radians, Eigen::Vector3f::UnitZ())); }
 Place Sideways(float radians) { return Place(Eigen::AngleAxisf(radians, Eigen::Vector3f::UnitY())); }
 
 struct Pose {
@@ -65,18 +66,62 @@ Pose StandingPose(double seconds, double phase) {
   return pose;
 }
 
-// Puts the parts of one body together.
+// Puts the parts of one body together, at the model's height; `scale` is the person's.
 class Body {
  public:
-  Body(const Scene& scene, int person, std::vector<Patch>& patches)
-      : scene_(scene), person_(person), patches_(patches) {}
+  Body(const Scene& scene, const Clothes& clothes, int person, float scale)
+      : scene_(scene), clothes_(clothes), person_(person), scale_(scale) {}
 
-  void Add(const Place& place, const std::vector<Slice>& slices, int texture, float repeat_u, float repeat_v,
-           int num_sectors) {
+  void AddTrunk(const Place& hips, const Place& chest, float head_turn) {
+    Add(hips, {{-0.13f, 0.02f, 0.02f}, {-0.1f, 0.14f, 0.1f}, {0, 0.17f, 0.12f}, {0.1f, 0.158f, 0.11f}},
+        {clothes_.trousers, 3, 1, person_, 14});
+    Add(chest,
+        {{0.04f, 0.172f, 0.122f},
+         {0.15f, 0.155f, 0.112f},
+         {0.28f, 0.165f, 0.12f},
+         {0.4f, 0.185f, 0.12f},
+         {0.5f, 0.19f, 0.1f},
+         {0.55f, 0.14f, 0.08f},
+         {0.585f, 0.05f, 0.05f}},
+        {clothes_.shirt, 2, 1, person_, 16});
+    Add(chest * Moved(0, -0.01f, 0.54f), {{0, 0.055f, 0.06f}, {0.12f, 0.05f, 0.055f}},
+        {clothes_.skin, 1, 1, person_, 10});
+    Add(chest * Moved(0, -0.03f, 0.6f) * Turned(head_turn), EllipsoidSlices(0.25f, 0.078f, 0.1f, 9),
+        {clothes_.head, 1, 1, person_, 14});
+  }
+
+  void AddLeg(const Place& hip, float knee_bend) {
+    const Place knee = hip * Moved(0, 0, -kThigh) * Forwards(-knee_bend);
+    AddLimb(hip, kThigh, 0.085f, 0.06f, clothes_.trousers);
+    AddLimb(knee, kShin, 0.06f, 0.045f, clothes_.trousers);
+    Add(knee * Moved(0, -0.055f, -kShin - kAnkle), EllipsoidSlices(0.11f, 0.048f, 0.135f, 6),
+        {clothes_.shoes, 1, 1, person_, 10});
+  }
+
+  void AddArm(const Place& shoulder, float elbow_bend) {
+    const Place elbow = shoulder * Moved(0, 0, -kUpperArm) * Forwards(elbow_bend);
+    AddLimb(shoulder, kUpperArm, 0.055f, 0.042f, clothes_.shirt);
+    AddLimb(elbow, kForearm, 0.042f, 0.03f, clothes_.skin);
+    Add(elbow * Moved(0, 0, -kForearm - 0.15f), EllipsoidSlices(0.17f, 0.025f, 0.042f, 6),
+        {clothes_.skin, 1, 1, person_, 8});
+  }
+
+  /// The finished body, at the person's own height.
+  std::vector<Patch> Take() && {
+    for (Patch& patch : patches_) {
+      patch.corner *= scale_;
+      patch.edge_s *= scale_;
+      patch.edge_t *= scale_;
+    }
+    return std::move(patches_);
+  }
+
+ private:
+  void Add(const Place& place, const std::vector<Slice>& slices, const TurnedLook& look) {
     const auto light = [this](const Eigen::Vector3f& x, const Eigen::Vector3f& normal) {
-      return 0.92f * OpenLight(scene_, x, normal);
+      return 0.92f * OpenLight(scene_, scale_ * x, normal);
     };
-    AppendTurned(place, slices, {texture, repeat_u, repeat_v, person_, num_sectors}, light, patches_);
+    AppendTurned(place, slices, look, light, patches_);
   }
 
   // A part that hangs down from `joint`; thickness at the joint and at the end.
@@ -89,13 +134,14 @@ class Body {
          {length * 0.65f, (thin + 2 * thick) / 3, (thin + 2 * thick) / 3},
          {length * 0.95f, thick, thick},
          {length + thick * round, 0, 0}},
-        texture, 1, 1, 10);
+        {texture, 1, 1, person_, 10});
   }
 
- private:
   const Scene& scene_;
-  int person_;
-  std::vector<Patch>& patches_;
+  const Clothes clothes_;
+  const int person_;
+  const float scale_;
+  std::vector<Patch> patches_;
 };
 
 int PaintInto(Scene& scene, const cv::Mat& picture) {
@@ -121,54 +167,28 @@ Mannequin::Mannequin(const PersonPlan& plan, const Route& route, int person, uin
 }
 
 void Mannequin::AddTo(MovingThings& moving, const Scene& scene, double seconds) const {
+  constexpr double kPi = 3.141592653589793;
   const double way = plan_.start + plan_.speed * seconds;
   const Route::Point at = route_.At(way);
   const auto scale = static_cast<float>(plan_.height / kModelHeight);
-  const double phase = phase_ + 6.283185307 * std::abs(way) / (kStride * scale);
+  const double phase = phase_ + 2 * kPi * std::abs(way) / (kStride * scale);
   const Pose pose = plan_.speed != 0 ? WalkingPose(phase) : StandingPose(seconds, phase_);
-  const auto heading =
-      static_cast<float>(at.heading + (plan_.speed < 0 ? 3.14159265 : 0) + 1.57079633);  // -y walks ahead
+  const double ahead = at.heading + (plan_.speed < 0 ? kPi : 0);
 
-  std::vector<Patch> patches;
-  Body body(scene, person_, patches);
   const auto x = static_cast<float>(at.position.x()), y = static_cast<float>(at.position.y());
-  const Place foot = Moved(x / scale, y / scale, 0) * Place(Eigen::AngleAxisf(heading, Eigen::Vector3f::UnitZ()));
+  const Place foot = Moved(x / scale, y / scale, 0) * Turned(static_cast<float>(ahead + kPi / 2));  // -y looks ahead
   const Place hips = foot * Moved(0, 0, pose.hips_height);
-  const Place chest = hips * Place(Eigen::AngleAxisf(pose.turn, Eigen::Vector3f::UnitZ())) * Forwards(-0.04f);
-  body.Add(hips, {{-0.13f, 0.02f, 0.02f}, {-0.1f, 0.14f, 0.1f}, {0, 0.17f, 0.12f}, {0.1f, 0.158f, 0.11f}},
-           clothes_.trousers, 3, 1, 14);
-  body.Add(chest,
-           {{0.04f, 0.172f, 0.122f},
-            {0.15f, 0.155f, 0.112f},
-            {0.28f, 0.165f, 0.12f},
-            {0.4f, 0.185f, 0.12f},
-            {0.5f, 0.19f, 0.1f},
-            {0.55f, 0.14f, 0.08f},
-            {0.585f, 0.05f, 0.05f}},
-           clothes_.shirt, 2, 1, 16);
-  body.Add(chest * Moved(0, -0.01f, 0.54f), {{0, 0.055f, 0.06f}, {0.12f, 0.05f, 0.055f}}, clothes_.skin, 1, 1, 10);
-  body.Add(chest * Moved(0, -0.03f, 0.6f) * Place(Eigen::AngleAxisf(-pose.turn * 1.5f, Eigen::Vector3f::UnitZ())),
-           EllipsoidSlices(0.25f, 0.078f, 0.1f, 9), clothes_.head, 1, 1, 14);
+  const Place chest = hips * Turned(pose.turn) * Forwards(-0.04f);
+  Body body(scene, clothes_, person_, scale);
+  body.AddTrunk(hips, chest, -1.5f * pose.turn);
   for (int side = 0; side < 2; ++side) {
     const float sign = side == 0 ? -1.f : 1.f;
-    const Place hip = hips * Moved(sign * kHipWidth / 2, 0, 0) * Forwards(pose.hip[side]);
-    const Place knee = hip * Moved(0, 0, -kThigh) * Forwards(-pose.knee[side]);
-    body.AddLimb(hip, kThigh, 0.085f, 0.06f, clothes_.trousers);
-    body.AddLimb(knee, kShin, 0.06f, 0.045f, clothes_.trousers);
-    body.Add(knee * Moved(0, -0.055f, -kShin - kAnkle), EllipsoidSlices(0.11f, 0.048f, 0.135f, 6), clothes_.shoes, 1, 1,
-             10);
-    const Place shoulder = chest * Moved(sign * kShoulderWidth / 2, 0, kShoulderHeight) *
-                           Sideways(-sign * pose.spread[side]) * Forwards(pose.arm[side]);
-    const Place elbow = shoulder * Moved(0, 0, -kUpperArm) * Forwards(pose.elbow[side]);
-    body.AddLimb(shoulder, kUpperArm, 0.055f, 0.042f, clothes_.shirt);
-    body.AddLimb(elbow, kForearm, 0.042f, 0.03f, clothes_.skin);
-    body.Add(elbow * Moved(0, 0, -kForearm - 0.15f), EllipsoidSlices(0.17f, 0.025f, 0.042f, 6), clothes_.skin, 1, 1, 8);
+    body.AddLeg(hips * Moved(sign * kHipWidth / 2, 0, 0) * Forwards(pose.hip[side]), pose.knee[side]);
+    body.AddArm(chest * Moved(sign * kShoulderWidth / 2, 0, kShoulderHeight) * Sideways(-sign * pose.spread[side]) *
+                    Forwards(pose.arm[side]),
+                pose.elbow[side]);
   }
-  for (Patch& patch : patches) {  // to the person's own height
-    patch.corner *= scale;
-    patch.edge_s *= scale;
-    patch.edge_t *= scale;
-  }
+  const std::vector<Patch> patches = std::move(body).Take();
   moving.patches.insert(moving.patches.end(), patches.begin(), patches.end());
   moving.shadows.push_back({{x, y}, 0.33f, 0.45f});
 }

@@ -19,6 +19,11 @@ struct PersonPlan {
   double height = 1.75;  ///< metres
 };
 
+/// A person's textures in a scene.
+struct Clothes {
+  int shirt = 0, trousers = 0, skin = 0, head = 0, shoes = 0;
+};
+
 /// A jointed figure with clothes, a face and a gait, that looks like a person from a camera's distance.
 class Mannequin {
  public:
@@ -29,10 +34,6 @@ class Mannequin {
   void AddTo(MovingThings& moving, const Scene& scene, double seconds) const;
 
  private:
-  struct Clothes {
-    int shirt = 0, trousers = 0, skin = 0, head = 0, shoes = 0;
-  };
-
   PersonPlan plan_;
   Route route_;
   int person_;

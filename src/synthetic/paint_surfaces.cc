@@ -13,13 +13,13 @@ Paint Vary(const Paint& colour, double amount, Random& random) {
   const double lightness = 1 + amount * random.Gaussian();
   Paint varied;
   for (int c = 0; c < 3; ++c)
-    varied[c] = std::clamp(colour[c] * (lightness + 0.3 * amount * random.Gaussian()), 0.0, 255.0);
+    varied[c] = std::clamp(colour[c] * (lightness + 0.12 * amount * random.Gaussian()), 0.0, 255.0);
   return varied;
 }
 
 // One board: long streaks, a few darker lines that wander, sometimes a knot.
 void PaintBoard(cv::Mat board, const Paint& colour, Random& random) {
-  board.setTo(Vary(colour, 0.12, random));
+  board.setTo(Vary(colour, 0.09, random));
   cv::Mat factor(board.size(), CV_32FC1);
   const double lines = random.Uniform(3, 7) / board.rows * 6.283, wave = random.Uniform(0.5, 2.0),
                phase = random.Uniform(0, 6.28);

@@ -157,6 +157,59 @@ std::vector<SeenPatch> SeeAll(const Scene& scene, const MovingThings& moving, co
   return seen;
 }
 
+Tile MakeTile(const Pinhole& camera, int left, int top) {
+  std::vector<Eigen::Vector2f> pixels;
+  for (const auto& offset : kSampleOffsets) {
+    for (int i = 0; i < kTilePixels; ++i) {
+      // What sticks out of the picture repeats its border: a lens need not be good beyond it.
+      const int x = std::min(left + i % kTileSide, camera.width - 1),
+                y = std::min(top + i / kTileSide, camera.height - 1);
+      pixels.emplace_back(static_cast<float>(x) + offset[0], static_cast<float>(y) + offset[1]);
+    }
+  }
+  if (camera.HasDistortion()) pixels = camera.Undistort(pixels);
+  Tile tile;
+  for (int i = 0; i < kTileSamples; ++i) {
+    tile.x[i] = static_cast<float>((pixels[i].x() - camera.cx) / camera.fx);
+    tile.y[i] = static_cast<float>((pixels[i].y() - camera.cy) / camera.fy);
+  }
+  const auto [left_most, right_most] = std::minmax_element(std::begin(tile.x), std::end(tile.x));
+  const auto [top_most, bottom_most] = std::minmax_element(std::begin(tile.y), std::end(tile.y));
+  tile.min_x = *left_most;
+  tile.max_x = *right_most;
+  tile.min_y = *top_most;
+  tile.max_y = *bottom_most;
+  return tile;
+}
+
+// Which patches may meet a row of tiles; their order stays, nearest first.
+std::vector<int> FindInRow(const std::vector<SeenPatch>& seen, const Tile* row, int num_tiles) {
+  float min_y = row->min_y, max_y = row->max_y;
+  for (int i = 1; i < num_tiles; ++i) {
+    min_y = std::min(min_y, row[i].min_y);
+    max_y = std::max(max_y, row[i].max_y);
+  }
+  std::vector<int> in_row;
+  for (size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].min_y <= max_y && seen[i].max_y >= min_y) in_row.push_back(static_cast<int>(i));
+  }
+  return in_row;
+}
+
+void WriteTile(const std::vector<SeenPatch>& seen, const PixelShader& shade, const Tile& tile, const TileBuffer& buffer,
+               RenderedView corner) {
+  for (int y = 0; y < corner.colour.rows; ++y) {
+    for (int x = 0; x < corner.colour.cols; ++x) {
+      const int i = y * kTileSide + x;
+      const Eigen::Array3f colour = shade(tile, buffer, i);
+      for (int c = 0; c < 3; ++c) corner.colour.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uchar>(colour[c]);
+      if (buffer.seen[i] == kNobody) continue;
+      corner.depth.at<float>(y, x) = 1 / buffer.inverse_depth[i];
+      corner.mask.at<uchar>(y, x) = static_cast<uchar>(seen[buffer.seen[i]].patch->person);
+    }
+  }
+}
+
 }  // namespace
 
 Renderer::Renderer(const Pinhole& camera) : camera_(camera) {
@@ -164,27 +217,10 @@ Renderer::Renderer(const Pinhole& camera) : camera_(camera) {
              "a renderer needs a picture size");
   tile_columns_ = (camera.width + kTileSide - 1) / kTileSide;
   tile_rows_ = (camera.height + kTileSide - 1) / kTileSide;
-  tiles_.resize(static_cast<size_t>(tile_columns_) * tile_rows_);
-  for (size_t tile_index = 0; tile_index < tiles_.size(); ++tile_index) {
-    Tile& tile = tiles_[tile_index];
-    const auto left = static_cast<float>(tile_index % tile_columns_ * kTileSide);
-    const auto top = static_cast<float>(tile_index / tile_columns_ * kTileSide);
-    std::vector<Eigen::Vector2f> pixels;
-    for (const auto& offset : kSampleOffsets) {
-      for (int i = 0; i < kTilePixels; ++i) {
-        pixels.emplace_back(left + static_cast<float>(i % kTileSide) + offset[0],
-                            top + static_cast<float>(i / kTileSide) + offset[1]);
-      }
+  for (int row = 0; row < tile_rows_; ++row) {
+    for (int column = 0; column < tile_columns_; ++column) {
+      tiles_.push_back(MakeTile(camera, column * kTileSide, row * kTileSide));
     }
-    if (camera.HasDistortion()) pixels = camera.Undistort(pixels);
-    for (int i = 0; i < kTileSamples; ++i) {
-      tile.x[i] = static_cast<float>((pixels[i].x() - camera.cx) / camera.fx);
-      tile.y[i] = static_cast<float>((pixels[i].y() - camera.cy) / camera.fy);
-    }
-    std::tie(tile.min_x, tile.max_x) =
-        std::pair(*std::min_element(tile.x, tile.x + kTileSamples), *std::max_element(tile.x, tile.x + kTileSamples));
-    std::tie(tile.min_y, tile.max_y) =
-        std::pair(*std::min_element(tile.y, tile.y + kTileSamples), *std::max_element(tile.y, tile.y + kTileSamples));
   }
 }
 
@@ -192,32 +228,17 @@ RenderedView Renderer::Render(const Scene& scene, const MovingThings& moving, co
   RenderedView view{cv::Mat(camera_.height, camera_.width, CV_8UC3, cv::Scalar::all(0)),
                     cv::Mat(camera_.height, camera_.width, CV_32FC1, cv::Scalar::all(0)),
                     cv::Mat(camera_.height, camera_.width, CV_8UC1, cv::Scalar::all(0))};
+  const cv::Rect picture(0, 0, camera_.width, camera_.height);
   const std::vector<SeenPatch> seen = SeeAll(scene, moving, world_from_cam.Inverse());
   const PixelShader shade(scene, moving, seen, camera_);
   TileBuffer buffer;
-  for (int tile_row = 0; tile_row < tile_rows_; ++tile_row) {
-    const Tile* row = tiles_.data() + static_cast<size_t>(tile_row) * tile_columns_;
-    float min_y = row->min_y, max_y = row->max_y;
-    for (int i = 1; i < tile_columns_; ++i)
-      min_y = std::min(min_y, row[i].min_y), max_y = std::max(max_y, row[i].max_y);
-    std::vector<int> in_row;  // what may meet this row of tiles, nearest first
-    for (size_t i = 0; i < seen.size(); ++i) {
-      if (seen[i].min_y <= max_y && seen[i].max_y >= min_y) in_row.push_back(static_cast<int>(i));
-    }
-    for (int tile_column = 0; tile_column < tile_columns_; ++tile_column) {
-      const Tile& tile = row[tile_column];
-      FillTile(seen, in_row, tile, buffer);
-      for (int i = 0; i < kTilePixels; ++i) {
-        const int x = tile_column * kTileSide + i % kTileSide, y = tile_row * kTileSide + i / kTileSide;
-        if (x >= camera_.width || y >= camera_.height) continue;
-        const Eigen::Array3f colour = shade(tile, buffer, i);
-        view.colour.at<cv::Vec3b>(y, x) =
-            cv::Vec3b(cv::saturate_cast<uchar>(colour[0]), cv::saturate_cast<uchar>(colour[1]),
-                      cv::saturate_cast<uchar>(colour[2]));
-        if (buffer.seen[i] == kNobody) continue;
-        view.depth.at<float>(y, x) = 1 / buffer.inverse_depth[i];
-        view.mask.at<uchar>(y, x) = static_cast<uchar>(seen[buffer.seen[i]].patch->person);
-      }
+  for (int row = 0; row < tile_rows_; ++row) {
+    const Tile* tiles = tiles_.data() + static_cast<size_t>(row) * tile_columns_;
+    const std::vector<int> in_row = FindInRow(seen, tiles, tile_columns_);
+    for (int column = 0; column < tile_columns_; ++column) {
+      FillTile(seen, in_row, tiles[column], buffer);
+      const cv::Rect here = cv::Rect(column * kTileSide, row * kTileSide, kTileSide, kTileSide) & picture;
+      WriteTile(seen, shade, tiles[column], buffer, {view.colour(here), view.depth(here), view.mask(here)});
     }
   }
   return view;

@@ -40,7 +40,7 @@ class Renderer {
 
   RenderedView Render(const Scene& scene, const MovingThings& moving, const Rigid3& world_from_cam) const;
 
-  // One row of tiles' bounds and the like are plain values: see render.cc.
+  // Pictures are drawn tile by tile, so that a patch costs little where it is not.
   static constexpr int kTileSide = 8, kNumSamples = 5;  ///< sample 0 is the pixel's centre
   static constexpr int kTilePixels = kTileSide * kTileSide, kTileSamples = kTilePixels * kNumSamples;
 

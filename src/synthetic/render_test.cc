@@ -44,7 +44,7 @@ Hit CastRay(const Scene& scene, const MovingThings& moving, const Rigid3& world_
 }
 
 Rig SmallRig(bool has_distortion) {
-  Rig rig = SyntheticRig(96, 72);
+  Rig rig = SyntheticRig(93, 70);  // no multiples of a tile's side
   if (has_distortion) rig.camera.distortion = {0.15, -0.3, 0.002, -0.001, 0.05, 0, 0, 0};
   return rig;
 }

@@ -58,7 +58,7 @@ struct Scene {
   std::vector<LightMap> light_maps;
   std::vector<Lamp> lamps;
   std::vector<Eigen::AlignedBox3f> occluders;  ///< the larger things only: they cast the shadows
-  float ambient = 0.72f;                       ///< light from everywhere
+  float ambient = 0.8f;                        ///< light from everywhere
 };
 
 }  // namespace yorb
