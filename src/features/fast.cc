@@ -3,12 +3,33 @@
 #include "features/fast.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/check.h"
 #include "features/fast_rows.h"
 
 namespace yorb {
+namespace {
+
+/// Where between -0.5 and 0.5 the parabola through three scores has its top.
+float Top(int before, int here, int after) {
+  const int bend = 2 * here - before - after;
+  if (bend <= 0) return 0;
+  return std::clamp(static_cast<float>(after - before) / static_cast<float>(2 * bend), -0.5f, 0.5f);
+}
+
+}  // namespace
+
+Corner Refined(const GreyView& level, Corner corner, int arc, Instructions instructions) {
+  uint8_t scores[3][fast::kBlock];
+  for (int i = 0; i < 3; ++i) {
+    const fast::RowTask task{level.Row(corner.y - 1 + i) + corner.x - 1, level.stride, 0, 3, 0, arc};
+    (instructions == Instructions::kAvx2 ? fast::ScoreRowAvx2 : fast::ScoreRowPortable)(task, scores[i]);
+  }
+  corner.dx = Top(scores[1][0], scores[1][1], scores[1][2]);
+  corner.dy = Top(scores[0][1], scores[1][1], scores[2][1]);
+  return corner;
+}
+
 int TrimmedRingSum(const GreyView& level, int x, int y) {
   int sum = 0, low = 255, high = 0;
   for (int i = 0; i < fast::kRing; ++i) {

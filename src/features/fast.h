@@ -41,6 +41,9 @@ class Fast {
   std::vector<Corner> corners_;
 };
 
+/// `corner` with dx and dy: the top of the parabolas through its score and those of its neighbours along x and y.
+Corner Refined(const GreyView& level, Corner corner, int arc, Instructions instructions);
+
 /// The sum of the 16 ring pixels without the brightest and the darkest: 14 times the trimmed mean of equation (3).
 int TrimmedRingSum(const GreyView& level, int x, int y);
 

@@ -35,6 +35,8 @@ CornerOptions CornersOf(const FeatureOptions& options) {
   corners.high = options.fixed_threshold;
   corners.low = options.fixed_threshold_low;
   corners.alpha = options.alpha;
+  corners.alpha_low = options.alpha_low;
+  corners.noise = options.noise_threshold;
   corners.arc = options.fast_arc;
   corners.border = kFeatureBorder;
   return corners;
@@ -60,7 +62,7 @@ struct OrbExtractor::Scratch {
                                               : quadtree.KeepSinglesAndBest(found, area, wanted);
   }
 
-  void AddLevel(const std::vector<Corner>& corners, int octave, Features& features) {
+  void AddLevel(const FeatureOptions& options, const std::vector<Corner>& corners, int octave, Features& features) {
     if (corners.empty()) return;
     const GreyView& level = pyramid.Level(octave);
     // Centres of pixels are whole numbers, and the levels share their borders, not their first centres: scaling the
@@ -68,7 +70,8 @@ struct OrbExtractor::Scratch {
     const float x_scale = static_cast<float>(pyramid.Level(0).width) / static_cast<float>(level.width);
     const float y_scale = static_cast<float>(pyramid.Level(0).height) / static_cast<float>(level.height);
     const GreyView blurred = blur.Apply(level, instructions);
-    for (const Corner& corner : corners) {
+    for (Corner corner : corners) {
+      if (options.subpixel) corner = Refined(level, corner, options.fast_arc, instructions);
       Keypoint keypoint;
       keypoint.x = (static_cast<float>(corner.x) + corner.dx + 0.5f) * x_scale - 0.5f;
       keypoint.y = (static_cast<float>(corner.y) + corner.dy + 0.5f) * y_scale - 0.5f;
@@ -102,7 +105,7 @@ Features OrbExtractor::Extract(const cv::Mat& grey) {
     if (level.width <= 2 * kFeatureBorder || level.height <= 2 * kFeatureBorder) break;
     const std::vector<Corner>& corners =
         scratch_->CornersOfLevel(options_, level, scratch_->shares[static_cast<size_t>(octave)]);
-    scratch_->AddLevel(corners, octave, features);
+    scratch_->AddLevel(options_, corners, octave, features);
   }
   return features;
 }

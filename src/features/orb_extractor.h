@@ -26,6 +26,9 @@ struct FeatureOptions {
   int fixed_threshold = 20;               ///< grey levels; detector fixed
   int fixed_threshold_low = 7;            ///< grey levels, where a cell finds nothing; detector fixed
   double alpha = 0.7;                     ///< of equation (3); detector adaptive
+  double alpha_low = 0.07;                ///< of the second threshold, where a cell finds nothing; detector adaptive
+  int noise_threshold = 4;                ///< grey levels every corner must exceed; detector adaptive
+  bool subpixel = false;                  ///< refines the place of a corner by a parabola through the scores around it
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -39,6 +42,9 @@ struct FeatureOptions {
     visit("fixed_threshold", self.fixed_threshold, Range(1, 254));
     visit("fixed_threshold_low", self.fixed_threshold_low, Range(1, 254));
     visit("alpha", self.alpha, Range(0.01, 5));
+    visit("alpha_low", self.alpha_low, Range(0, 5));
+    visit("noise_threshold", self.noise_threshold, Range(1, 254));
+    visit("subpixel", self.subpixel, AnyValue());
   }
 };
 
