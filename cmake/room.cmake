@@ -12,6 +12,10 @@ function(yorb_options target)
   if(YORB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE} -fno-sanitize-recover=all
                                              -fno-omit-frame-pointer)
+    if(YORB_SANITIZE MATCHES "address.*undefined")
+      # Checks of every pointer on top of AddressSanitizer's find nothing more, and treble the time to compile Eigen.
+      target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow)
+    endif()
     target_link_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE})
   endif()
 endfunction()
