@@ -28,5 +28,10 @@ cmake -S "$here/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" -
   fail "find_package(yorb) failed; see $scratch/consumer.log"
 cmake --build "$scratch/consumer" || fail "a C++17 program does not build against the installation"
 "$scratch/consumer/consumer" || fail "a program built against the installation fails"
-(cd / && "$prefix/bin/yorb" --help >/dev/null) || fail "the installed program does not run"
+# The installed program finds its cameras from its own place, whatever the current folder.
+sequence=$(cd "$scratch" && pwd)/sequence
+(cd / && "$prefix/bin/yorb" synth xyz --frames 3 --camera tum_fr1 --out "$sequence" --quiet &&
+  "$prefix/bin/yorb" run "$sequence" --camera tum_fr1 --mode inline --out "$sequence/run" --quiet) ||
+  fail "the installed program does not run"
+[ "$(grep -vc '^#' "$sequence/run/trajectory.txt")" -eq 3 ] || fail "the installed program did not track three frames"
 echo "install: a C++17 program found, compiled and linked the installed libraries"
