@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <string>
 
 #include "evaluation/test_trajectories.h"
 
@@ -46,7 +46,9 @@ TEST(Report, SaysWhatItWasGiven) {
 
 TEST(Report, NeedsNothingFromOutside) {
   std::string html = ReportHtml(SomeReport());
-  html = std::regex_replace(html, std::regex("http://www.w3.org/2000/svg"), "");
+  const std::string name_space = "http://www.w3.org/2000/svg";  // a name, nothing that is fetched
+  for (size_t at = html.find(name_space); at != std::string::npos; at = html.find(name_space))
+    html.erase(at, name_space.size());
   for (const char* text : {"http:", "https:", "src=", "href=", "url(", "<script", "@import", "nan"}) {
     EXPECT_THAT(html, Not(HasSubstr(text)));
   }
