@@ -15,8 +15,9 @@ namespace {
 // error of a depth compares with the error of a pixel.
 constexpr double kVirtualBaseline = 0.08;
 constexpr double kDefaultCloseFactor = 40;
-constexpr double kSameBaseline = 0.05;  // Camera.bf and Stereo.b times fx may differ by so much: both are rounded
-constexpr size_t kMisspeltAt = 2;       // a key so many letters away from a known one is taken for that one misspelt
+constexpr double kLongestReadout = 0.2;  // seconds
+constexpr double kSameBaseline = 0.05;   // Camera.bf and Stereo.b times fx may differ by so much: both are rounded
+constexpr size_t kMisspeltAt = 2;        // a key so many letters away from a known one is taken for that one misspelt
 
 const char* const kFishEye =
     "only pinhole cameras with radial-tangential or rational distortion are read; "
@@ -86,6 +87,10 @@ void ReadDepthKeys(KeyReader& reader, Rig& rig) {
   rig.close_factor = reader.Positive("close_factor", kDefaultCloseFactor);
   rig.depth_factor = reader.Positive("depth_factor", 0);
   rig.fps = reader.Positive("fps", 0);
+  rig.readout_s = reader.Number("readout_s", 0);
+  if (rig.readout_s < 0 || rig.readout_s > kLongestReadout) {
+    reader.Refuse("readout_s", "must be between 0 and " + FormatShortest(kLongestReadout) + " seconds");
+  }
 }
 
 /// Refuses a key that is none of `known`, with the nearest of them.
@@ -95,9 +100,9 @@ void RefuseUnknown(KeyReader& reader, const std::string& key, const std::vector<
 
 Rig ReadOurs(KeyReader& reader) {
   const std::vector<std::string> known{
-      "type",        "name",       "width",        "height",       "fps", "fx", "fy", "cx", "cy", "distortion",
-      "baseline_px", "baseline_m", "close_factor", "depth_factor", "k1",  "k2", "p1", "p2", "k3", "k4",
-      "k5",          "k6"};
+      "type",      "name",        "width",      "height",       "fps",          "fx", "fy", "cx", "cy", "distortion",
+      "readout_s", "baseline_px", "baseline_m", "close_factor", "depth_factor", "k1", "k2", "p1", "p2", "k3",
+      "k4",        "k5",          "k6"};
   const auto is_known = [&](const KeyEntry& entry) {
     return std::find(known.begin(), known.end(), entry.key) != known.end();
   };

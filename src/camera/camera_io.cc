@@ -193,6 +193,7 @@ std::string CameraFileText(const Rig& rig) {
   add("baseline_px", rig.baseline_px);
   add("close_factor", rig.close_factor);
   if (rig.depth_factor > 0) add("depth_factor", rig.depth_factor);
+  if (rig.readout_s > 0) add("readout_s", rig.readout_s);
   return text;
 }
 

@@ -73,6 +73,7 @@ void ExpectSame(const Rig& a, const Rig& b) {
   EXPECT_EQ(a.close_factor, b.close_factor);
   EXPECT_EQ(a.depth_factor, b.depth_factor);
   EXPECT_EQ(a.fps, b.fps);
+  EXPECT_EQ(a.readout_s, b.readout_s);
 }
 
 TEST(OrbSlamFile, GivesEveryValue) {
@@ -186,6 +187,7 @@ TEST(OurCameraFile, ReadsBackWhatItWrote) {
   Rig rig = Read(kOrb2);
   rig.name = "a \"quoted\" \\ name: with # signs";
   rig.camera.fx = 517.30640812345678;
+  rig.readout_s = 0.026;
   const std::string text = CameraFileText(rig);
   ExpectSame(Read(text), rig);
   EXPECT_EQ(Read(text).name, rig.name);
@@ -204,6 +206,8 @@ TEST(OurCameraFile, RefusesUnknownKeysAndOddDistortion) {
   EXPECT_THAT(Complaint(four + "distortion: [1, 2, 3]"), HasSubstr("distortion"));
   EXPECT_THAT(Complaint(four + "distortion: [1, .nan, 3, 4]"), HasSubstr("distortion"));
   EXPECT_THAT(Complaint(four + "depth_facter: 1000"), HasSubstr("depth_factor"));
+  EXPECT_THAT(Complaint(four + "readout_s: -0.01"), HasSubstr("readout_s"));
+  EXPECT_THAT(Complaint(four + "readout_s: 26"), HasSubstr("readout_s"));
   EXPECT_THAT(Complaint(four + "type: fisheye"), HasSubstr("fisheye"));
   EXPECT_THAT(Complaint(four + "width: 640"), HasSubstr("width"));
   EXPECT_NEAR(Read(four).baseline_px, 40, 1e-9);

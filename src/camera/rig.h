@@ -51,9 +51,10 @@ struct Rig {
   double baseline_px = 40.0;   ///< fx times the (virtual) baseline in metres: right_px = x_px - baseline_px / depth
   double close_factor = 40.0;  ///< points nearer than close_factor baselines are "close": their depth is trusted
   double depth_factor =
-      5000;          ///< units of a 16-bit depth picture in one metre; 0: not stated, fine for float depth only
-  double fps = 30;   ///< nominal rate of the colour pictures; 0: not stated (a Dataset fills it in)
-  std::string name;  ///< of the file or the built-in camera, for messages
+      5000;              ///< units of a 16-bit depth picture in one metre; 0: not stated, fine for float depth only
+  double readout_s = 0;  ///< rolling shutter: from the picture's first row to its last; 0: all rows at once
+  double fps = 30;       ///< nominal rate of the colour pictures; 0: not stated (a Dataset fills it in)
+  std::string name;      ///< of the file or the built-in camera, for messages
 
   double CloseDepth() const { return close_factor * baseline_px / camera.fx; }
 

@@ -21,6 +21,14 @@ Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, co
   return FixFromPoints(frame, guess, points, rows);
 }
 
+Fix Refit(const Frame& frame, const Map& map, const Fix& fix) {
+  constexpr double kMinKept = 0.8;
+  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches);
+  again.num_matched = fix.num_matched;
+  const bool is_same = static_cast<double>(again.num_inliers) >= kMinKept * static_cast<double>(fix.num_inliers);
+  return is_same && fix.num_inliers_by_depth == 0 ? again : fix;
+}
+
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
                   const std::vector<int>& rows) {
   std::vector<PoseObservation> observations;

@@ -22,6 +22,9 @@ struct Fix {
 /// Optimises a pose on landmarks (`matches`, a row a keypoint) and gives it with the inliers.
 Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches);
 
+/// The pose anew on the inliers of a fix, whose keypoints have moved a little. The fix itself where that loses most.
+Fix Refit(const Frame& frame, const Map& map, const Fix& fix);
+
 /// The same on known points (`rows`: for each keypoint a row of `points`, or -1).
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
                   const std::vector<int>& rows);

@@ -12,13 +12,13 @@ constexpr double kLongestPause = 0.3;  // seconds; a hand turns round in that ti
 void MotionModel::Observe(Timestamp from, Timestamp to, const Rigid3& to_from_from) {
   const double seconds = SecondsBetween(from, to);
   if (seconds <= 0 || seconds > kLongestPause) return Forget();
-  rate_ = Rate{VectorFromRotation(to_from_from.rotation) / seconds, to_from_from.translation / seconds};
+  rate_ = CameraRate{VectorFromRotation(to_from_from.rotation) / seconds, to_from_from.translation / seconds};
 }
 
 Rigid3 MotionModel::Predict(Timestamp from, Timestamp to) const {
   const double seconds = SecondsBetween(from, to);
   if (!rate_ || seconds <= 0 || seconds > kLongestPause) return Rigid3::Identity();
-  return {RotationFromVector(rate_->turn_per_s * seconds), rate_->shift_per_s * seconds};
+  return rate_->After(seconds);
 }
 
 }  // namespace yorb

@@ -9,6 +9,15 @@
 
 namespace yorb {
 
+/// How a camera moves: `to_from_from` of a short time, divided by it.
+struct CameraRate {
+  Eigen::Vector3d turn_per_s = Eigen::Vector3d::Zero();
+  Eigen::Vector3d shift_per_s = Eigen::Vector3d::Zero();
+
+  /// The step after so many seconds, which may be negative.
+  Rigid3 After(double seconds) const { return {RotationFromVector(turn_per_s * seconds), shift_per_s * seconds}; }
+};
+
 /// Constant velocity, by the clock: a gap of two frames is a step of twice the length.
 class MotionModel {
  public:
@@ -20,11 +29,11 @@ class MotionModel {
 
   void Forget() { rate_.reset(); }
 
+  /// The rate of the newest step; none where nothing is known of it.
+  const std::optional<CameraRate>& rate() const { return rate_; }
+
  private:
-  struct Rate {
-    Eigen::Vector3d turn_per_s, shift_per_s;
-  };
-  std::optional<Rate> rate_;
+  std::optional<CameraRate> rate_;
 };
 
 }  // namespace yorb

@@ -6,6 +6,7 @@
 
 #include "tracking/keyframe_policy.h"
 #include "tracking/relocalizer.h"
+#include "tracking/shutter.h"
 
 namespace yorb {
 namespace {
@@ -45,24 +46,19 @@ Tracked Tracker::Begin(const FramePtr& frame) {
   return tracked;
 }
 
-Tracked Tracker::TrackInMap(const FramePtr& frame, const Map& map, size_t backlog) {
-  std::optional<Fix> fix;
-  if (state_ != TrackingState::kLost) fix = TrackFromLast(*frame, map);
-  if (fix) fix = TrackLocalMap(*frame, map, *fix);
-  if (!fix && state_ != TrackingState::kLost) {
-    fix = TrackFromKeyframe(*frame, map);
-    if (fix) fix = TrackLocalMap(*frame, map, *fix);
-  }
-  if (!fix) {
-    fix = Relocalize(*frame, map, options_, Random(static_cast<uint64_t>(seed_), frame->id.value()));
-    if (fix) fix = TrackLocalMap(*frame, map, *fix);
-  }
-
+Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
+  FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
+  std::optional<Fix> fix = FindPose(*frame, map);
   Tracked tracked;
   ++frames_since_proposal_;
   if (!fix) {
     NoteLoss(*frame);
     return tracked;
+  }
+  NoteMotion(*frame, map, *fix);
+  if (const FramePtr better = WithoutShutter(raw_frame, motion_.rate()); better != raw_frame) {
+    frame = better;
+    fix = Refit(*frame, map, *fix);
   }
   Remember(frame, map, *fix);
   tracked.record.reference = last_.reference;
@@ -74,6 +70,21 @@ Tracked Tracker::TrackInMap(const FramePtr& frame, const Map& map, size_t backlo
       backlog};
   if (IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, *fix);
   return tracked;
+}
+
+std::optional<Fix> Tracker::FindPose(const Frame& frame, const Map& map) {
+  std::optional<Fix> fix;
+  if (state_ != TrackingState::kLost) fix = TrackFromLast(frame, map);
+  if (fix) fix = TrackLocalMap(frame, map, *fix);
+  if (!fix && state_ != TrackingState::kLost) {
+    fix = TrackFromKeyframe(frame, map);
+    if (fix) fix = TrackLocalMap(frame, map, *fix);
+  }
+  if (!fix) {
+    fix = Relocalize(frame, map, options_, Random(static_cast<uint64_t>(seed_), frame.id.value()));
+    if (fix) fix = TrackLocalMap(frame, map, *fix);
+  }
+  return fix;
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
@@ -150,17 +161,20 @@ void Tracker::CountSeen(const std::vector<LandmarkId>& expected, const Fix& fix)
   }
 }
 
-void Tracker::Remember(const FramePtr& frame, const Map& map, const Fix& fix) {
+void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
   if (state_ == TrackingState::kTracking) {
-    motion_.Observe(last_.frame->timestamp, frame->timestamp, fix.cam_from_world * LastPose(map).Inverse());
+    motion_.Observe(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
   } else {
     motion_.Forget();
     was_lost_ = true;
-    lost_since_ = frame->timestamp;
+    lost_since_ = frame.timestamp;
   }
+  state_ = TrackingState::kTracking;
+}
+
+void Tracker::Remember(const FramePtr& frame, const Map& map, const Fix& fix) {
   const KeyframeId reference = local_.reference.IsValid() ? local_.reference : map.Surviving(last_.reference);
   last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches};
-  state_ = TrackingState::kTracking;
 }
 
 void Tracker::NoteLoss(const Frame& frame) {

@@ -40,11 +40,13 @@ class Tracker {
 
   Tracked Begin(const FramePtr& frame);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
+  std::optional<Fix> FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse);
   bool IsConfirmed(const Frame& frame, const Fix& fix) const;
   void CountSeen(const std::vector<LandmarkId>& expected, const Fix& fix);
+  void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Fix& fix);
   void NoteLoss(const Frame& frame);
   Proposal Propose(const FramePtr& frame, const Fix& fix);

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Tracker and mapper together on frames with exact truth: what no single room can promise.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "map/synthetic_world.h"
+#include "mapping/mapper.h"
+#include "tracking/tracker.h"
+
+namespace yorb {
+namespace {
+
+/// A hand that moves the camera to and fro, 30 frames a second.
+Rigid3 PoseAt(int frame) {
+  const double t = frame / 30.0;
+  return {RotationFromVector({0.1 * std::sin(t), 0.3 * std::sin(0.7 * t), 0.05 * std::sin(1.3 * t)}),
+          Eigen::Vector3d(0.5 * std::sin(t), 0.2 * std::sin(1.7 * t), 0.3 * std::cos(t) - 0.3)};
+}
+
+Timestamp TimeOf(int frame) { return {frame * int64_t{33333333}}; }
+
+/// The river without pictures and threads.
+class River {
+ public:
+  River() : tracker_(TrackingOptions(), 1), mapper_(MappingOptions()), map_(mapper_.Snapshot()) {}
+
+  FrameRecord Push(const FramePtr& frame) {
+    Tracked tracked = tracker_.Track(frame, *map_, 0);
+    if (tracked.proposal) {
+      mapper_.Handle(*tracked.proposal, {});
+      map_ = mapper_.Snapshot();
+    }
+    return tracked.record;
+  }
+  Rigid3 PoseOf(const FrameRecord& record) const {
+    return record.cam_from_reference * *map_->CamFromWorld(record.reference);
+  }
+  const Map& map() const { return *map_; }
+
+ private:
+  Tracker tracker_;
+  Mapper mapper_;
+  MapSnapshot map_;
+};
+
+SyntheticWorldOptions Noisy() {
+  SyntheticWorldOptions options;
+  options.pixel_noise = 0.5;
+  options.depth_noise = 0.5;
+  options.depth_share = 0.7;
+  return options;
+}
+
+double Error(const Rigid3& cam_from_world, int frame) {
+  const Rigid3 truth = PoseAt(frame) * PoseAt(0).Inverse();  // the first frame defines the world
+  return (cam_from_world.OriginInSource() - truth.OriginInSource()).norm();
+}
+
+TEST(River, FollowsTheCameraToTheCentimetre) {
+  const SyntheticWorld world(11, Noisy());
+  River river;
+  double sum = 0;
+  for (int k = 0; k < 240; ++k) {
+    const FrameRecord record = river.Push(world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
+    ASSERT_EQ(record.state, TrackingState::kTracking) << k;
+    const double error = Error(river.PoseOf(record), k);
+    ASSERT_LT(error, 0.03) << k;
+    sum += error * error;
+    if (record.is_keyframe) {
+      ASSERT_EQ(river.map().Check(), "") << k;
+    }
+  }
+  EXPECT_LT(std::sqrt(sum / 240), 0.01);
+  EXPECT_LT(river.map().num_keyframes(), 60u);
+}
+
+TEST(River, SaysThatItIsLostAndFindsItselfAgain) {
+  const SyntheticWorld world(12, Noisy());
+  const SyntheticWorld dark(13, [] {
+    SyntheticWorldOptions options;
+    options.num_points = 0;
+    return options;
+  }());
+  River river;
+  TrackingState state = TrackingState::kNotInitialized;
+  for (int k = 0; k < 60; ++k)
+    state = river.Push(world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame).state;
+  ASSERT_EQ(state, TrackingState::kTracking);
+  for (int k = 60; k < 120; ++k) {
+    state = river.Push(dark.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame).state;
+    EXPECT_EQ(state, k < 75 ? TrackingState::kRecentlyLost : TrackingState::kLost) << k;
+  }
+  // The camera comes back to where it was, not to where it would be by now.
+  FrameRecord record;
+  for (int k = 120; k < 125; ++k) {
+    record = river.Push(world.Look(PoseAt(k - 80), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
+    ASSERT_EQ(record.state, TrackingState::kTracking) << k;
+    EXPECT_LT(Error(river.PoseOf(record), k - 80), 0.03);
+  }
+}
+
+TEST(River, NeverPlacesACameraInAnotherWorld) {
+  const SyntheticWorld world(14, Noisy()), elsewhere(15, Noisy());
+  River river;
+  for (int k = 0; k < 30; ++k) river.Push(world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
+  for (int k = 30; k < 60; ++k) {
+    const FrameRecord record =
+        river.Push(elsewhere.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
+    EXPECT_NE(record.state, TrackingState::kTracking) << k;
+  }
+}
+
+TEST(River, WaitsForAFrameWithDepthToBegin) {
+  SyntheticWorldOptions flat = Noisy();
+  flat.depth_share = 0;
+  const SyntheticWorld world(16, Noisy()), blind(16, flat);
+  River river;
+  for (int k = 0; k < 5; ++k) {
+    const FrameRecord record = river.Push(blind.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
+    EXPECT_EQ(record.state, TrackingState::kNotInitialized);
+    EXPECT_FALSE(record.is_keyframe);
+  }
+  const FrameRecord record = river.Push(world.Look(PoseAt(5), FrameId(5), TimeOf(5)).frame);
+  EXPECT_EQ(record.state, TrackingState::kTracking);
+  EXPECT_TRUE(record.is_keyframe);
+  // From then on depth may be gone.
+  for (int k = 6; k < 20; ++k) {
+    EXPECT_EQ(river.Push(blind.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame).state,
+              TrackingState::kTracking);
+  }
+}
+
+}  // namespace
+}  // namespace yorb

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/shutter.h"
+
+#include <algorithm>
+
+namespace yorb {
+namespace {
+
+float MedianDepth(const Frame& frame) {
+  std::vector<float> depths;
+  std::copy_if(frame.depth.begin(), frame.depth.end(), std::back_inserter(depths), [](float d) { return d > 0; });
+  if (depths.empty()) return 0;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
+}  // namespace
+
+FramePtr WithoutShutter(const FramePtr& frame, const std::optional<CameraRate>& rate) {
+  constexpr float kFarAway = 1e3f;  // only the turn counts
+  const Rig& rig = *frame->rig;
+  if (rig.readout_s <= 0 || !rate || frame->size() == 0) return frame;
+  const float median = MedianDepth(*frame);
+  const float unknown = median > 0 ? median : kFarAway;
+  auto corrected = std::make_shared<Frame>(*frame);
+  for (size_t i = 0; i < frame->size(); ++i) {
+    const double seconds = rig.readout_s * frame->keypoints[i].y / rig.camera.height;
+    const float depth = frame->HasDepth(i) ? frame->depth[i] : unknown;
+    const Eigen::Vector2f& px = frame->points_px[i];
+    const Eigen::Vector3d x_in_cam = rate->After(seconds).Inverse() * rig.camera.Unproject(px.x(), px.y(), depth);
+    if (!(x_in_cam.z() > 0)) continue;
+    corrected->points_px[i] = rig.camera.Project(x_in_cam).cast<float>();
+    if (!frame->HasDepth(i)) continue;
+    corrected->depth[i] = static_cast<float>(x_in_cam.z());
+    corrected->right_px[i] = corrected->points_px[i].x() - static_cast<float>(rig.baseline_px / x_in_cam.z());
+  }
+  corrected->grid = Grid(corrected->bounds, corrected->points_px);
+  return corrected;
+}
+
+}  // namespace yorb
