@@ -20,17 +20,30 @@ struct CornerOptions {
 };
 
 /// FAST with two thresholds: a cell of about 30 px in which the first one finds nothing gets the corners of the second.
+/// Where that leaves fewer than `enough` corners, the strongest of all others join them, so that no picture starves
+/// (adaptive only: the fixed thresholds stay as ORB-SLAM2 has them).
 class CornerDetector {
  public:
   /// Row by row, left to right. The result lives until the next call.
-  const std::vector<Corner>& Detect(const GreyView& level, const CornerOptions& options, Instructions instructions);
+  const std::vector<Corner>& Detect(const GreyView& level, const CornerOptions& options, int enough,
+                                    Instructions instructions);
 
  private:
+  /// What a corner of the score map has passed.
+  enum class Class : uint8_t { kNoise, kSecond, kFirst, kChosen };
+
+  void Classify(const std::vector<Corner>& found, const GreyView& level, const CornerOptions& options,
+                Instructions instructions);
+  size_t ChooseByCells(const std::vector<Corner>& found, const GreyView& level, int border);
+  void ChooseStrongest(const std::vector<Corner>& found, size_t count);
+
   Fast fast_;
-  std::vector<int> firsts_;        ///< how many corners the first threshold finds in each cell
-  std::vector<uint32_t> cells_;    ///< of each candidate
-  std::vector<uint8_t> is_first_;  ///< whether a candidate passes the first threshold
-  std::vector<Corner> candidates_, corners_;
+  std::vector<Class> classes_;          ///< of each corner of the score map
+  std::vector<uint32_t> cells_;         ///< of each corner of the score map
+  std::vector<uint32_t> column_cells_;  ///< of each x
+  std::vector<uint8_t> has_first_;      ///< whether the first threshold finds anything in a cell
+  std::vector<uint32_t> rest_;          ///< indices of corners that are not chosen
+  std::vector<Corner> corners_;
 };
 
 }  // namespace yorb

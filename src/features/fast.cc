@@ -30,15 +30,9 @@ Corner Refined(const GreyView& level, Corner corner, int arc, Instructions instr
   return corner;
 }
 
-int TrimmedRingSum(const GreyView& level, int x, int y) {
-  int sum = 0, low = 255, high = 0;
-  for (int i = 0; i < fast::kRing; ++i) {
-    const int pixel = level.Row(y + fast::kRingY[i])[x + fast::kRingX[i]];
-    sum += pixel;
-    low = std::min(low, pixel);
-    high = std::max(high, pixel);
-  }
-  return sum - low - high;
+int TrimmedRingSum(const GreyView& level, int x, int y, Instructions instructions) {
+  const auto sum = instructions == Instructions::kAvx2 ? fast::TrimmedRingSumAvx2 : fast::TrimmedRingSumPortable;
+  return sum(level.Row(y) + x, level.stride);
 }
 
 void Fast::ScoreRow(const GreyView& level, int y, const FastOptions& options, Instructions instructions) {

@@ -45,6 +45,6 @@ class Fast {
 Corner Refined(const GreyView& level, Corner corner, int arc, Instructions instructions);
 
 /// The sum of the 16 ring pixels without the brightest and the darkest: 14 times the trimmed mean of equation (3).
-int TrimmedRingSum(const GreyView& level, int x, int y);
+int TrimmedRingSum(const GreyView& level, int x, int y, Instructions instructions);
 
 }  // namespace yorb

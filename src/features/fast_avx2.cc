@@ -82,7 +82,37 @@ YORB_AVX2 void ScoreRow(const RowTask& task, uint8_t* scores) {
   }
 }
 
+/// Eight bytes from each of two rows.
+YORB_AVX2 inline __m128i LoadTwo(const uint8_t* upper, const uint8_t* lower) {
+  return _mm_unpacklo_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(upper)),
+                            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(lower)));
+}
+
+/// The least of sixteen bytes.
+YORB_AVX2 inline int LeastOf(__m128i bytes) {
+  const __m128i pairs = _mm_min_epu8(bytes, _mm_srli_epi16(bytes, 8));
+  return _mm_cvtsi128_si32(_mm_minpos_epu16(_mm_and_si128(pairs, _mm_set1_epi16(255)))) & 255;
+}
+
 }  // namespace
+
+YORB_AVX2 int TrimmedRingSumAvx2(const uint8_t* centre, ptrdiff_t stride) {
+  // Rows above and below the centre share no column with one another, so that all sixteen pixels fit side by side; the
+  // two of the middle row take the seventh byte of each half.
+  const uint8_t* row = centre - 3;
+  const __m128i outer = _mm_set1_epi64x(0x000000ffffff0000), next = _mm_set1_epi64x(0x0000ff000000ff00);
+  const __m128i inner = _mm_set1_epi64x(0x00ff0000000000ff);
+  const __m128i take_ends = _mm_setr_epi8(-1, -1, -1, -1, -1, -1, -1, 0, -1, -1, -1, -1, -1, -1, -1, 6);
+  const __m128i middle = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(row));
+  __m128i ring = _mm_shuffle_epi8(middle, take_ends);
+  ring = _mm_or_si128(ring, _mm_and_si128(LoadTwo(row - 3 * stride, row + 3 * stride), outer));
+  ring = _mm_or_si128(ring, _mm_and_si128(LoadTwo(row - 2 * stride, row + 2 * stride), next));
+  ring = _mm_or_si128(ring, _mm_and_si128(LoadTwo(row - stride, row + stride), inner));
+  const __m128i halves = _mm_sad_epu8(ring, _mm_setzero_si128());
+  const int sum = _mm_cvtsi128_si32(halves) + _mm_extract_epi16(halves, 4);
+  const int greatest = 255 - LeastOf(_mm_xor_si128(ring, _mm_set1_epi8(-1)));
+  return sum - LeastOf(ring) - greatest;
+}
 
 void ScoreRowAvx2(const RowTask& task, uint8_t* scores) {
   switch (task.arc) {
@@ -121,5 +151,6 @@ void ScoreRowAvx2(const RowTask& task, uint8_t* scores) { ScoreRowPortable(task,
 size_t PeaksAvx2(const ThreeRows& scores, int begin, int end, uint32_t* peaks) {
   return PeaksPortable(scores, begin, end, peaks);
 }
+int TrimmedRingSumAvx2(const uint8_t* centre, ptrdiff_t stride) { return TrimmedRingSumPortable(centre, stride); }
 }  // namespace yorb::fast
 #endif

@@ -87,4 +87,15 @@ size_t PeaksPortable(const ThreeRows& scores, int begin, int end, uint32_t* peak
   return count;
 }
 
+int TrimmedRingSumPortable(const uint8_t* centre, ptrdiff_t stride) {
+  int sum = 0, low = 255, high = 0;
+  for (int i = 0; i < kRing; ++i) {
+    const int pixel = centre[kRingY[i] * stride + kRingX[i]];
+    sum += pixel;
+    low = std::min(low, pixel);
+    high = std::max(high, pixel);
+  }
+  return sum - low - high;
+}
+
 }  // namespace yorb::fast

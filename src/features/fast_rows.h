@@ -40,4 +40,8 @@ struct ThreeRows {
 size_t PeaksPortable(const ThreeRows& scores, int begin, int end, uint32_t* peaks);
 size_t PeaksAvx2(const ThreeRows& scores, int begin, int end, uint32_t* peaks);
 
+/// The sum of the 16 ring pixels without the brightest and the darkest.
+int TrimmedRingSumPortable(const uint8_t* centre, ptrdiff_t stride);
+int TrimmedRingSumAvx2(const uint8_t* centre, ptrdiff_t stride);
+
 }  // namespace yorb::fast

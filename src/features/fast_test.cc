@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <opencv2/features2d.hpp>
 
 #include "features/fast_rows.h"
@@ -123,15 +125,31 @@ TEST(Fast, FindsNothingInASmallPicture) {
 }
 
 TEST(Fast, RingSumLeavesOutTheExtremes) {
-  cv::Mat picture(9, 9, CV_8UC1, cv::Scalar(100));
-  const GreyImage flat = Padded(picture);
-  EXPECT_EQ(TrimmedRingSum(flat.View(), 4, 4), 1400);
-  picture.at<uint8_t>(1, 4) = 255;
-  picture.at<uint8_t>(7, 4) = 0;
-  picture.at<uint8_t>(4, 4) = 17;
-  EXPECT_EQ(TrimmedRingSum(Padded(picture).View(), 4, 4), 1400) << "one extreme each way changes nothing";
-  picture.at<uint8_t>(4, 7) = 254;
-  EXPECT_EQ(TrimmedRingSum(Padded(picture).View(), 4, 4), 1300 + 254);
+  const GreyImage image = Padded(NoisePicture(80, 60, 7));
+  for (int y = 3; y < 57; ++y) {
+    for (int x = 3; x < 77; ++x) {
+      std::vector<int> ring;
+      for (int i = 0; i < 16; ++i) ring.push_back(image.View().Row(y + fast::kRingY[i])[x + fast::kRingX[i]]);
+      std::sort(ring.begin(), ring.end());
+      const int expected = std::accumulate(ring.begin() + 1, ring.end() - 1, 0);
+      EXPECT_EQ(TrimmedRingSum(image.View(), x, y, Instructions::kPortable), expected);
+      EXPECT_EQ(TrimmedRingSum(image.View(), x, y, BestInstructions()), expected);
+    }
+  }
+}
+
+TEST(Fast, RefinesTowardsTheStrongerNeighbour) {
+  const GreyImage image = Padded(RectanglesPicture(320, 240, 8));
+  Fast fast;
+  for (const Corner& found : fast.Detect(image.View(), {20, 9, 19}, BestInstructions())) {
+    const Corner refined = Refined(image.View(), found, 9, BestInstructions());
+    const auto score = [&](int x, int y) { return SlowScore(image.View(), x, y, {0, 9, 3}); };
+    EXPECT_LE(std::max(std::abs(refined.dx), std::abs(refined.dy)), 0.5);
+    EXPECT_EQ(refined.dx > 0, score(found.x + 1, found.y) > score(found.x - 1, found.y));
+    EXPECT_EQ(refined.dy > 0, score(found.x, found.y + 1) > score(found.x, found.y - 1));
+    const Corner portable = Refined(image.View(), found, 9, Instructions::kPortable);
+    EXPECT_TRUE(portable.dx == refined.dx && portable.dy == refined.dy);
+  }
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ void BM_Detector(benchmark::State& state) {
   options.is_adaptive = state.range(1) == 1;
   for (auto _ : state) {
     for (int level = 0; level < kLevels; ++level) {
-      benchmark::DoNotOptimize(detector.Detect(Levels().Level(level), options, PathOf(state)).data());
+      benchmark::DoNotOptimize(detector.Detect(Levels().Level(level), options, 100, PathOf(state)).data());
     }
   }
 }
@@ -97,7 +97,7 @@ BENCHMARK(BM_Detector)->ArgNames({"wide", "adaptive"})->ArgsProduct({{0, 1}, {0,
 
 void BM_Quadtree(benchmark::State& state) {
   CornerDetector detector;
-  const std::vector<Corner> corners = detector.Detect(Levels().Level(0), {}, BestInstructions());
+  const std::vector<Corner> corners = detector.Detect(Levels().Level(0), {}, 217, BestInstructions());
   const CornerArea area = InnerArea(Levels().Level(0));
   Quadtree quadtree;
   for (auto _ : state) {

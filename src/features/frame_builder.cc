@@ -2,17 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "features/frame_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace yorb {
 namespace {
 
-/// The depth under a keypoint, in the picture as it is. The nearest pixel: an average would invent depths at edges.
+/// The depth under a keypoint, in the picture as it is: that of the nearest pixel, since an average would invent depths
+/// at edges. Where the pixel itself is a hole, the nearest of its eight neighbours, if those that were measured agree:
+/// registered depth is criss-crossed by holes of a pixel's width.
 float DepthUnder(const Keypoint& keypoint, const DepthImage& depth) {
+  constexpr float kAgreement = 1.05f;
   const int x = static_cast<int>(std::lround(keypoint.x)), y = static_cast<int>(std::lround(keypoint.y));
   if (depth.empty() || x < 0 || y < 0 || x >= depth.pixels.cols || y >= depth.pixels.rows) return 0;
-  return depth.At(x, y);
+  if (const float here = depth.At(x, y); here > 0) return here;
+
+  float nearest = 0, least = 0, most = 0;
+  float nearest_px2 = 10;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, depth.pixels.rows - 1); ++v) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, depth.pixels.cols - 1); ++u) {
+      const float there = depth.At(u, v);
+      if (there <= 0) continue;
+      least = least > 0 ? std::min(least, there) : there;
+      most = std::max(most, there);
+      const float du = static_cast<float>(u) - keypoint.x, dv = static_cast<float>(v) - keypoint.y;
+      if (du * du + dv * dv < nearest_px2) {
+        nearest_px2 = du * du + dv * dv;
+        nearest = there;
+      }
+    }
+  }
+  return most <= kAgreement * least ? nearest : 0;
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ struct OrbExtractor::Scratch {
   Blur blur;
 
   const std::vector<Corner>& CornersOfLevel(const FeatureOptions& options, const GreyView& level, int wanted) {
-    const std::vector<Corner>& found = detector.Detect(level, corner_options, instructions);
+    const std::vector<Corner>& found = detector.Detect(level, corner_options, wanted, instructions);
     const int border = corner_options.border;
     const CornerArea area{border, border, level.width - border, level.height - border};
     return options.distribution == "quadtree" ? quadtree.KeepBestOfEach(found, area, wanted)
