@@ -20,10 +20,10 @@ int Speed(const SpeedArguments& arguments) {
   CatchSignals();
   const auto sequence = OpenSequence(arguments.sequence);
   if (!sequence) return Complain(sequence.error());
-  const auto report = MeasureSpeed(*sequence->dataset, sequence->config, [] { return CaughtSignal() != 0; });
+  const auto report = MeasureSpeed(*sequence->dataset, sequence->config, IsStopAsked);
   if (!report) return Complain(report.error());
   std::fputs((arguments.wants_json ? SpeedJson(*report) : SpeedText(*report)).c_str(), stdout);
-  return CaughtSignal() != 0 ? 128 + CaughtSignal() : kExitDone;
+  return ExitCodeAfterSignal(kExitDone);
 }
 
 }  // namespace

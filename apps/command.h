@@ -12,8 +12,9 @@ namespace yorb {
 /// What the chosen subcommand does once all options are read; gives the exit code.
 using Action = std::function<int()>;
 
-/// Each subcommand stands in a file of its own, adds itself to the program with its options and an epilogue of examples,
-/// and puts what it does into `action` when it is the chosen one (`command->callback([=, &action] { action = ...; })`).
+/// Each subcommand stands in a file of its own, adds itself to the program with its options and an epilogue of
+/// examples, and puts what it does into `action` when it is the chosen one (`command->callback([=, &action] { action =
+/// ...; })`).
 void AddRunCommand(CLI::App& program, Action& action);
 void AddCheckCommand(CLI::App& program, Action& action);
 void AddEvalCommand(CLI::App& program, Action& action);

@@ -56,7 +56,7 @@ Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
   options.reference = TruthBeside(sequence->folder);
   Progress progress(arguments.is_quiet);
   RunHooks hooks;
-  hooks.should_stop = [] { return CaughtSignal() != 0; };
+  hooks.should_stop = IsStopAsked;
   hooks.on_progress = [&](const RunProgress& now) { progress.Show(now.num_done, now.num_frames); };
   auto summary = RunSequence(*sequence->dataset, options, hooks);
   progress.End();
@@ -74,7 +74,7 @@ int Run(const RunArguments& arguments) {
   if (!arguments.is_quiet) PrintSummary(*summary);
   if (summary->error) return Complain(*summary->error);
   if (!stopped) return Complain(stopped.error());
-  return summary->was_stopped ? 128 + CaughtSignal() : kExitDone;
+  return summary->was_stopped ? ExitCodeAfterSignal(kExitDone) : kExitDone;
 }
 
 }  // namespace

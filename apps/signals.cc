@@ -9,7 +9,9 @@ namespace {
 
 volatile std::sig_atomic_t caught_signal = 0;
 
-extern "C" void NoteSignal(int number) { caught_signal = number; }
+extern "C" void NoteSignal(int number) {
+  if (caught_signal == 0) caught_signal = number;  // the first one decides on the exit code
+}
 
 void Catch(int number) {
   struct sigaction action {};
@@ -29,6 +31,11 @@ void CatchSignals() {
   if (hang_up.sa_handler != SIG_IGN) Catch(SIGHUP);
 }
 
-int CaughtSignal() { return caught_signal; }
+bool IsStopAsked() { return caught_signal != 0; }
+
+int ExitCodeAfterSignal(int otherwise) {
+  if (caught_signal == 0) return otherwise;
+  return 128 + (caught_signal == SIGINT ? SIGINT : SIGTERM);
+}
 
 }  // namespace yorb

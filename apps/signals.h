@@ -8,7 +8,10 @@ namespace yorb {
 /// that is ignored already (nohup) stays ignored.
 void CatchSignals();
 
-/// The signal that was noted last; 0: none.
-int CaughtSignal();
+/// Whether one was noted.
+bool IsStopAsked();
+
+/// The exit code after it: 130 for SIGINT, 143 for the others; `otherwise` where none was noted.
+int ExitCodeAfterSignal(int otherwise);
 
 }  // namespace yorb

@@ -127,7 +127,7 @@ int Synth(const SynthArguments& arguments) {
   CatchSignals();
   Progress progress(arguments.is_quiet);
   WriteHooks hooks;
-  hooks.should_stop = [] { return CaughtSignal() != 0; };
+  hooks.should_stop = IsStopAsked;
   hooks.on_progress = [&](size_t num_done, size_t num_frames) { progress.Show(num_done, num_frames); };
   const WriteOptions write{arguments.out, arguments.is_png, static_cast<int>(*quality), options->room.num_threads};
   const auto num_written = WriteSequence(SyntheticSequence(*options), write, hooks);
@@ -137,7 +137,7 @@ int Synth(const SynthArguments& arguments) {
     std::printf("%zu frames of %dx%d rendered into %s in %s s\n", *num_written, options->rig.camera.width,
                 options->rig.camera.height, arguments.out.c_str(), FormatFixed(watch.seconds(), 1).c_str());
   }
-  return CaughtSignal() != 0 ? 128 + CaughtSignal() : kExitDone;
+  return ExitCodeAfterSignal(kExitDone);
 }
 
 }  // namespace

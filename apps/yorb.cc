@@ -68,6 +68,16 @@ std::vector<std::string> CommandsOf(const CLI::App& command) {
   return names;
 }
 
+/// The nearest known words, all that are equally near: "--set or --seed".
+std::string Nearest(const std::string& word, const std::vector<std::string>& known) {
+  const size_t least = EditDistance(word, NearestWord(word, known));
+  std::string nearest;
+  for (const std::string& candidate : known) {
+    if (EditDistance(word, candidate) == least) nearest += (nearest.empty() ? "" : " or ") + candidate;
+  }
+  return nearest;
+}
+
 std::string FullName(const CLI::App& command) {
   return command.get_parent() == nullptr ? command.get_name()
                                          : FullName(*command.get_parent()) + " " + command.get_name();
@@ -81,15 +91,14 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error) {
   for (const std::string& word : command.remaining()) {
     if (word.size() < 2 || word.front() != '-') continue;
     const std::string name = word.substr(0, word.find('='));
-    return name + " is no option of " + FullName(command) + "; did you mean " + NearestWord(name, OptionsOf(command)) +
+    return name + " is no option of " + FullName(command) + "; did you mean " + Nearest(name, OptionsOf(command)) +
            "?" + help;
   }
   if (!commands.empty()) {
     if (command.remaining().empty())
       return FullName(command) + " needs a command, such as " + FullName(command) + " " + commands.front() + help;
-    const std::string& word = command.remaining().front();
-    return word + " is no command of " + FullName(command) + "; did you mean " + NearestWord(word, commands) + "?" +
-           help;
+    const std::string word = command.remaining().front();
+    return word + " is no command of " + FullName(command) + "; did you mean " + Nearest(word, commands) + "?" + help;
   }
   return FullName(command) + ": " + error.what() + help;
 }

@@ -33,8 +33,9 @@ class Program : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     std::filesystem::remove_all(Folder());
-    SyntheticDataset(12).WriteTo(Folder() + "/room");
-    SyntheticDataset(12).WriteTo(Folder() + "/long", 200);
+    const SyntheticDataset room(12);
+    room.WriteTo(Folder() + "/room");
+    room.WriteTo(Folder() + "/long", 200);
   }
   static void TearDownTestSuite() { std::filesystem::remove_all(Folder()); }
   static std::string Folder() { return testing::TempDir() + "program_test_" + std::to_string(::getpid()); }
@@ -105,7 +106,7 @@ TEST_F(Program, WrongCommandLinesAreRefusedInOneLineWithTheNearestKnownWord) {
   ExpectRefused("--max-frames", {"run", room, "--max-frames=-5", "--out", out});
   ExpectRefused("no_such.yaml", {"run", room, "--config", "no_such.yaml", "--out", out});
   ExpectRefused("no_such_folder", {"run", "no_such_folder", "--out", out});
-  ExpectRefused("folder", {"run", "--out", out});
+  ExpectRefused("DIR", {"run", "--out", out});
   ExpectRefused("--out", {"run", room, "--out", ""});
   EXPECT_FALSE(std::filesystem::exists(out));
 }
