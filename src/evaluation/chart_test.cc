@@ -14,6 +14,10 @@
 #include "evaluation/chart_thin.h"
 #include "evaluation/svg.h"
 
+/// Fontconfig, which librsvg reads its fonts with, keeps what it has read until the program ends.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }
+
 namespace yorb {
 namespace {
 
