@@ -186,7 +186,7 @@ std::string StageTable(const std::vector<ReportStage>& stages) {
   for (const ReportStage& stage : stages) {
     table += "<tr><td>" + EscapeXml(stage.name) + "</td>";
     for (const double value : {stage.median_ms, stage.p95_ms, stage.max_ms})
-      table += "<td>" + FormatFixed(value, 2) + "</td>";
+      table += "<td>" + (stage.count > 0 ? FormatFixed(value, 2) : std::string("-")) + "</td>";
     table += "<td>" + std::to_string(stage.count) + "</td><td class=\"bar\"><div class=\"track\">" +
              bar("p95", stage.p95_ms) + bar("median", stage.median_ms) + "</div></td></tr>\n";
   }
