@@ -90,9 +90,9 @@ TEST(CornerDetector, AStarvedPictureGetsItsStrongestCorners) {
   CornerOptions options;
   CornerDetector detector;
   const size_t alone = detector.Detect(image.View(), options, 0, BestInstructions()).size();
-  const std::vector<Corner>& filled = detector.Detect(image.View(), options, 150, BestInstructions());
+  const std::vector<Corner>& filled = detector.Detect(image.View(), options, 130, BestInstructions());
   EXPECT_LT(alone, 120u);
-  EXPECT_EQ(filled.size(), 150u);
+  EXPECT_EQ(filled.size(), 130u);
   for (const Corner& c : filled) EXPECT_GE(c.score, options.noise);
   EXPECT_TRUE(std::is_sorted(filled.begin(), filled.end(),
                              [](const Corner& a, const Corner& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }));

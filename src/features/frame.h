@@ -47,6 +47,9 @@ struct Frame {
   size_t size() const { return keypoints.size(); }
   bool HasDepth(size_t index) const { return depth[index] > 0; }
 
+  /// Of the points with depth; 0 where there are none.
+  float MedianDepth() const;
+
   /// The point in the camera frame; only where HasDepth.
   Eigen::Vector3d PointInCam(size_t index) const {
     return rig->camera.Unproject(points_px[index].x(), points_px[index].y(), depth[index]);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace yorb {
@@ -44,6 +45,15 @@ ScaleTable::ScaleTable(int levels, double scale_factor) : factor(scale_factor) {
     scale.push_back(static_cast<float>(s));
     inverse_variance.push_back(static_cast<float>(1.0 / (s * s)));
   }
+}
+
+float Frame::MedianDepth() const {
+  std::vector<float> measured;
+  std::copy_if(depth.begin(), depth.end(), std::back_inserter(measured), [](float d) { return d > 0; });
+  if (measured.empty()) return 0;
+  const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
+  std::nth_element(measured.begin(), middle, measured.end());
+  return *middle;
 }
 
 FrameBuilder::FrameBuilder(const FeatureOptions& options, const Rig& rig)
