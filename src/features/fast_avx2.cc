@@ -16,16 +16,12 @@ YORB_AVX2 inline Bytes Min(Bytes a, Bytes b) { return _mm256_min_epu8(a, b); }
 YORB_AVX2 inline Bytes Max(Bytes a, Bytes b) { return _mm256_max_epu8(a, b); }
 YORB_AVX2 inline Bytes Minus(Bytes a, Bytes b) { return _mm256_subs_epu8(a, b); }
 
-/// An arc of nine or more holds one of any two opposite ring pixels: nonzero where the pairs first, first + step ...
-/// do not rule out a corner.
-template <int kFirst, int kStep>
+/// An arc of nine or more holds one of any two opposite ring pixels: zero where two such pairs rule out a corner. More
+/// pairs cost more than they save.
 YORB_AVX2 inline Bytes MayBeCorner(const uint8_t* const ring[kRing], int x, Bytes above, Bytes below) {
-  Bytes least = _mm256_set1_epi8(-1), most = _mm256_setzero_si256();
-  for (int i = kFirst; i < kRing / 2; i += kStep) {
-    const Bytes a = Load(ring[i] + x), b = Load(ring[i + 8] + x);
-    least = Min(least, Max(a, b));
-    most = Max(most, Min(a, b));
-  }
+  const Bytes top = Load(ring[0] + x), bottom = Load(ring[8] + x);
+  const Bytes right = Load(ring[4] + x), left = Load(ring[12] + x);
+  const Bytes least = Min(Max(top, bottom), Max(left, right)), most = Max(Min(top, bottom), Min(left, right));
   return _mm256_or_si256(Minus(least, above), Minus(below, most));
 }
 
@@ -66,8 +62,7 @@ YORB_AVX2 void ScoreRow(const RowTask& task, uint8_t* scores) {
     const Bytes centre = Load(task.row + x);
     const Bytes above = _mm256_adds_epu8(centre, threshold), below = Minus(centre, threshold);
     Bytes* out = reinterpret_cast<Bytes*>(scores + x);
-    Bytes maybe = MayBeCorner<0, 4>(ring, x, above, below);
-    if (!_mm256_testz_si256(maybe, maybe)) maybe = MayBeCorner<0, 2>(ring, x, above, below);
+    const Bytes maybe = MayBeCorner(ring, x, above, below);
     if (_mm256_testz_si256(maybe, maybe)) {
       _mm256_storeu_si256(out, zero);
       continue;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace yorb {
 namespace {
@@ -27,22 +26,21 @@ bool IsStronger(const Corner& a, const Corner& b) {
 }  // namespace
 
 void Quadtree::Start(const std::vector<Corner>& corners, const CornerArea& area) {
-  order_.resize(corners.size());
-  std::iota(order_.begin(), order_.end(), 0u);
+  order_.clear();
   moved_.resize(corners.size());
   kept_.clear();
   nodes_.clear();
   // Roots side by side, as nearly square as whole numbers allow.
   const int width = area.right - area.left, height = area.bottom - area.top;
   const int roots = std::max(1, static_cast<int>(std::lround(static_cast<double>(width) / height)));
-  uint32_t begin = 0;
   for (int root = 0; root < roots; ++root) {
     const int left = area.left + width * root / roots, right = area.left + width * (root + 1) / roots;
-    const auto middle = std::stable_partition(order_.begin() + begin, order_.end(),
-                                              [&](uint32_t i) { return root + 1 == roots || corners[i].x < right; });
-    const uint32_t end = static_cast<uint32_t>(middle - order_.begin());
+    const uint32_t begin = static_cast<uint32_t>(order_.size());
+    for (uint32_t i = 0; i < corners.size(); ++i) {
+      if (corners[i].x >= left && corners[i].x < right) order_.push_back(i);
+    }
+    const uint32_t end = static_cast<uint32_t>(order_.size());
     if (end > begin) nodes_.push_back({{left, area.top, right, area.bottom}, begin, end});
-    begin = end;
   }
 }
 
