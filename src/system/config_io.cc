@@ -39,6 +39,9 @@ bool IsGroup(const std::string& key) {
 
 Error UnknownKey(const Setting& setting) {
   const std::string start = setting.origin + ": " + setting.key;
+  if (setting.key == kCameraGroup) {
+    return BadInput(start + " is a group with the numbers of a camera; a camera's name or file is given with --camera");
+  }
   if (IsGroup(setting.key)) return BadInput(start + " is a group of keys and takes no value of its own");
   if (setting.key.rfind("Camera", 0) == 0)
     return BadInput(start + " belongs to a camera file; give that with --camera");
@@ -159,6 +162,9 @@ Status ValidateConfig(const Config& config) {
   }
   if (config.features.fixed_threshold_low > config.features.fixed_threshold) {
     return BadInput("features.fixed_threshold_low is above features.fixed_threshold; it is the lower one of the two");
+  }
+  if (config.features.alpha_low > config.features.alpha) {
+    return BadInput("features.alpha_low is above features.alpha; it is the lower one of the two");
   }
   return Status::Ok();
 }

@@ -135,6 +135,7 @@ TEST_F(ConfigIo, WrongShapesAreRefused) {
   EXPECT_THAT(Complaint("just words\n"), HasSubstr("no config file"));
   EXPECT_THAT(Complaint("seed: 1\n---\nseed: 2\n"), HasSubstr("more than one"));
   EXPECT_THAT(Complaint("? [a, b]\n: 3\n"), HasSubstr("a key must be a word"));
+  EXPECT_THAT(Complaint("camera: tum_fr1\n"), HasSubstr("--camera"));
   EXPECT_THAT(SetComplaint("features.detector"), HasSubstr("key=value"));
   EXPECT_THAT(SetComplaint("=3"), HasSubstr("key=value"));
 }
