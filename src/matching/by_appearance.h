@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "map/map.h"
-#include "matching/search.h"
+#include "matching/by_projection.h"
 
 namespace yorb {
 
-/// Matches a frame to the landmarks of a keyframe by descriptors alone, wherever they are in the picture: the nearest
-/// both ways, clearly nearer than the second, and turned as most are. Gives for each keypoint of `frame` a landmark of
-/// the keyframe, not valid where there is none.
-std::vector<LandmarkId> MatchByAppearance(const Frame& frame, const Keyframe& keyframe, const Map& map);
+/// The landmarks of a keyframe as that keyframe saw them.
+std::vector<KnownPoint> KnownPointsOf(const Keyframe& keyframe, const Map& map);
+
+/// Finds known points in a frame by descriptors alone, wherever they are in the picture: the nearest both ways, clearly
+/// nearer than the second, and turned as most are. Gives for each keypoint the row of `points`, or -1.
+std::vector<int> MatchByAppearance(const Frame& frame, const std::vector<KnownPoint>& points);
 
 }  // namespace yorb

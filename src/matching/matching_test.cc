@@ -101,13 +101,8 @@ TEST(ExpectLandmark, SaysNothingBehindOutsideOrFromAside) {
 
 TEST(MatchByAppearance, NeedsNoPose) {
   const Scene scene(Moved(0.5, 0.3));
-  const auto matches = MatchByAppearance(*scene.second.frame, *scene.map.Find(scene.keyframe), scene.map);
-  int count = 0, right = 0;
-  for (size_t i = 0; i < matches.size(); ++i) {
-    if (!matches[i].IsValid()) continue;
-    ++count;
-    right += (scene.map.Find(matches[i])->position - scene.world.Position(scene.second.points[i])).norm() < 1e-9;
-  }
+  const auto points = KnownPointsOf(*scene.map.Find(scene.keyframe), scene.map);
+  const auto [count, right] = scene.Judge(MatchByAppearance(*scene.second.frame, points));
   EXPECT_GT(count, 0.9 * scene.NumShared());
   EXPECT_EQ(right, count);
 }
@@ -115,8 +110,9 @@ TEST(MatchByAppearance, NeedsNoPose) {
 TEST(MatchByAppearance, GivesNothingForAnotherWorld) {
   const Scene scene(Rigid3::Identity());
   const auto elsewhere = SyntheticWorld(77).Look(Rigid3::Identity(), FrameId(5), Timestamp{5});
-  const auto matches = MatchByAppearance(*elsewhere.frame, *scene.map.Find(scene.keyframe), scene.map);
-  for (const LandmarkId id : matches) EXPECT_FALSE(id.IsValid());
+  const auto points = KnownPointsOf(*scene.map.Find(scene.keyframe), scene.map);
+  ASSERT_GT(points.size(), 100u);
+  for (const int row : MatchByAppearance(*elsewhere.frame, points)) EXPECT_EQ(row, -1);
 }
 
 TEST(FindSightings, FindsLandmarksThatAnotherKeyframeShouldSee) {

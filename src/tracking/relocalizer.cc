@@ -12,30 +12,6 @@
 namespace yorb {
 namespace {
 
-/// A pose by PnP on matches by appearance, refined on its inliers.
-std::optional<Fix> CoarseFix(const Frame& frame, const Map& map, const std::vector<LandmarkId>& matches,
-                             Random random) {
-  constexpr size_t kMinMatches = 12;
-  std::vector<PnpObservation> observations;
-  std::vector<size_t> indices;
-  for (size_t i = 0; i < matches.size(); ++i) {
-    if (!matches[i].IsValid()) continue;
-    const Eigen::Vector2f& px = frame.points_px[i];
-    const double deviation = frame.scales->scale[static_cast<size_t>(frame.keypoints[i].octave)] / frame.rig->camera.fx;
-    observations.push_back(
-        {map.Find(matches[i])->position, frame.rig->camera.Unproject(px.x(), px.y(), 1).head<2>(), deviation});
-    indices.push_back(i);
-  }
-  if (observations.size() < kMinMatches) return std::nullopt;
-  const auto pnp = PnpRansac(observations, PnpOptions(), random);
-  if (!pnp) return std::nullopt;
-  std::vector<LandmarkId> inliers(frame.size());
-  for (size_t k = 0; k < observations.size(); ++k) {
-    if (pnp->is_inlier[k]) inliers[indices[k]] = matches[indices[k]];
-  }
-  return FixFromLandmarks(frame, map, pnp->cam_from_world, inliers);
-}
-
 /// Adds the landmarks of a keyframe and its neighbours that the coarse pose says must be in view.
 Fix Extend(const Frame& frame, const Map& map, const Fix& coarse, const Keyframe& keyframe, double radius_px) {
   constexpr double kRadiusOfWideningOne = 4;
@@ -70,10 +46,32 @@ std::vector<KeyframeId> Candidates(const Map& map, FrameId frame) {
 
 }  // namespace
 
+std::optional<Fix> FixByAppearance(const Frame& frame, const std::vector<KnownPoint>& points, Random random) {
+  constexpr size_t kMinMatches = 12;
+  std::vector<int> rows = MatchByAppearance(frame, points);
+  std::vector<PnpObservation> observations;
+  std::vector<size_t> indices;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] < 0) continue;
+    const Eigen::Vector2f& px = frame.points_px[i];
+    const double deviation = frame.scales->scale[static_cast<size_t>(frame.keypoints[i].octave)] / frame.rig->camera.fx;
+    observations.push_back({points[static_cast<size_t>(rows[i])].x_in_world,
+                            frame.rig->camera.Unproject(px.x(), px.y(), 1).head<2>(), deviation});
+    indices.push_back(i);
+  }
+  if (observations.size() < kMinMatches) return std::nullopt;
+  const auto pnp = PnpRansac(observations, PnpOptions(), random);
+  if (!pnp) return std::nullopt;
+  for (size_t k = 0; k < observations.size(); ++k) {
+    if (!pnp->is_inlier[k]) rows[indices[k]] = -1;
+  }
+  return FixFromPoints(frame, pnp->cam_from_world, points, rows);
+}
+
 std::optional<Fix> RelocalizeAgainst(const Frame& frame, const Map& map, const Keyframe& keyframe,
                                      const TrackingOptions& options, size_t min_inliers, Random random) {
   constexpr size_t kHopeless = 10;
-  const auto coarse = CoarseFix(frame, map, MatchByAppearance(frame, keyframe, map), random);
+  const auto coarse = FixByAppearance(frame, KnownPointsOf(keyframe, map), random);
   if (!coarse || coarse->num_inliers < kHopeless) return std::nullopt;
   if (coarse->num_inliers >= min_inliers) return coarse;
   Fix fix = Extend(frame, map, *coarse, keyframe, options.relocalize_radius_px);

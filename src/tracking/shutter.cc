@@ -2,27 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracking/shutter.h"
 
-#include <algorithm>
-
 namespace yorb {
-namespace {
-
-float MedianDepth(const Frame& frame) {
-  std::vector<float> depths;
-  std::copy_if(frame.depth.begin(), frame.depth.end(), std::back_inserter(depths), [](float d) { return d > 0; });
-  if (depths.empty()) return 0;
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
-}
-
-}  // namespace
-
 FramePtr WithoutShutter(const FramePtr& frame, const std::optional<CameraRate>& rate) {
   constexpr float kFarAway = 1e3f;  // only the turn counts
   const Rig& rig = *frame->rig;
   if (rig.readout_s <= 0 || !rate || frame->size() == 0) return frame;
-  const float median = MedianDepth(*frame);
+  const float median = frame->MedianDepth();
   const float unknown = median > 0 ? median : kFarAway;
   auto corrected = std::make_shared<Frame>(*frame);
   for (size_t i = 0; i < frame->size(); ++i) {

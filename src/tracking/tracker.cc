@@ -88,25 +88,31 @@ std::optional<Fix> Tracker::FindPose(const Frame& frame, const Map& map) {
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
-  constexpr size_t kFewMatches = 20;
+  constexpr size_t kFewMatches = 20, kEnoughLandmarks = 150;
   constexpr float kWider = 2, kWidest = 4;
   const Rigid3 last_pose = LastPose(map);
   const Rigid3 predicted = motion_.Predict(last_.frame->timestamp, frame.timestamp) * last_pose;
-  const std::vector<KnownPoint> points = KnownPointsOfLast(map);
   const auto radius_px = static_cast<float>(options_.search_radius_px);
+  const auto search = [&](const std::vector<KnownPoint>& points, const Rigid3& guess,
+                          float radius) -> std::optional<Fix> {
+    const std::vector<int> rows = MatchKnownPoints(frame, guess, last_pose, points, radius);
+    const auto num_matches = std::count_if(rows.begin(), rows.end(), [](int row) { return row >= 0; });
+    if (num_matches < static_cast<std::ptrdiff_t>(kFewMatches)) return std::nullopt;
+    Fix fix = FixFromPoints(frame, guess, points, rows);
+    if (NumInliers(fix) < kFewMatches) return std::nullopt;
+    return fix;
+  };
 
-  const struct {
-    const Rigid3& guess;
-    float radius_px;
-  } attempts[] = {{predicted, radius_px}, {predicted, kWider * radius_px}, {last_pose, kWidest * radius_px}};
-  for (const auto& attempt : attempts) {
-    const std::vector<int> rows = MatchKnownPoints(frame, attempt.guess, last_pose, points, attempt.radius_px);
-    const auto num_matches =
-        static_cast<size_t>(std::count_if(rows.begin(), rows.end(), [](int row) { return row >= 0; }));
-    if (num_matches < kFewMatches) continue;
-    Fix fix = FixFromPoints(frame, attempt.guess, points, rows);
-    if (NumInliers(fix) >= kFewMatches) return fix;
+  std::vector<KnownPoint> points = LandmarksOfLast(map);
+  if (points.size() >= kEnoughLandmarks) {
+    if (auto fix = search(points, predicted, radius_px)) return fix;
   }
+  AddDepthPointsOfLast(map, points);
+  if (auto fix = search(points, predicted, radius_px)) return fix;
+  if (auto fix = search(points, predicted, kWider * radius_px)) return fix;
+  if (auto fix = search(points, last_pose, kWidest * radius_px)) return fix;
+  auto fix = FixByAppearance(frame, points, Random(static_cast<uint64_t>(seed_), frame.id.value()));
+  if (fix && NumInliers(*fix) >= kFewMatches) return fix;
   return std::nullopt;
 }
 
@@ -193,29 +199,28 @@ Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
   return proposal;
 }
 
-std::vector<KnownPoint> Tracker::KnownPointsOfLast(const Map& map) const {
-  constexpr size_t kEnoughLandmarks = 150;
+std::vector<KnownPoint> Tracker::LandmarksOfLast(const Map& map) const {
   const Frame& frame = *last_.frame;
-  const Rigid3 world_from_cam = LastPose(map).Inverse();
   std::vector<KnownPoint> points;
-  std::vector<size_t> unknown;
   for (size_t i = 0; i < frame.size(); ++i) {
     const LandmarkId id = map.Resolve(last_.matches[i]);
     const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
+    if (!landmark) continue;
     const Keypoint& keypoint = frame.keypoints[i];
-    if (landmark) {
-      points.push_back({landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id});
-    } else if (frame.HasDepth(i) && frame.depth[i] < frame.rig->CloseDepth()) {
-      unknown.push_back(i);
-    }
+    points.push_back({landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id});
   }
-  if (points.size() >= kEnoughLandmarks) return points;
-  for (const size_t i : unknown) {
+  return points;
+}
+
+void Tracker::AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const {
+  const Frame& frame = *last_.frame;
+  const Rigid3 world_from_cam = LastPose(map).Inverse();
+  for (size_t i = 0; i < frame.size(); ++i) {
+    if (!frame.HasDepth(i) || map.Find(map.Resolve(last_.matches[i]))) continue;
     const Keypoint& keypoint = frame.keypoints[i];
     points.push_back(
         {world_from_cam * frame.PointInCam(i), frame.descriptors[i], keypoint.octave, keypoint.angle_rad, {}});
   }
-  return points;
 }
 
 Rigid3 Tracker::LastPose(const Map& map) const {

@@ -50,7 +50,8 @@ class Tracker {
   void Remember(const FramePtr& frame, const Map& map, const Fix& fix);
   void NoteLoss(const Frame& frame);
   Proposal Propose(const FramePtr& frame, const Fix& fix);
-  std::vector<KnownPoint> KnownPointsOfLast(const Map& map) const;
+  std::vector<KnownPoint> LandmarksOfLast(const Map& map) const;
+  void AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const;
   Rigid3 LastPose(const Map& map) const;
 
   TrackingOptions options_;

@@ -16,6 +16,8 @@ struct TrackingOptions {
   double local_widening = 3;         ///< of the search for landmarks of the local map
   int max_local_keyframes = 80;      ///< whose landmarks are sought in each frame
   double keyframe_ratio = 0.75;      ///< a keyframe is due when fewer of the reference's landmarks are still matched
+  double keyframe_shift = 0.1;       ///< or when the camera is so far from the reference, in units of the median depth
+  double keyframe_turn_deg = 15;     ///< or has turned so far from it
   double keyframe_interval_s = 1.0;  ///< and at the latest after so long
   double relocalize_radius_px = 30;  ///< search about a coarse pose
 
@@ -29,6 +31,8 @@ struct TrackingOptions {
     visit("local_widening", self.local_widening, Range(0.5, 20));
     visit("max_local_keyframes", self.max_local_keyframes, Range(1, 1000));
     visit("keyframe_ratio", self.keyframe_ratio, Range(0, 1));
+    visit("keyframe_shift", self.keyframe_shift, Range(0, 100));
+    visit("keyframe_turn_deg", self.keyframe_turn_deg, Range(0, 180));
     visit("keyframe_interval_s", self.keyframe_interval_s, Range(0, 3600));
     visit("relocalize_radius_px", self.relocalize_radius_px, Range(1, 200));
   }
