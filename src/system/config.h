@@ -22,9 +22,9 @@ struct Config {
   /// inline: one thread, same seed, same bits; offline: threads, no frame left out; live: frames that come too fast for
   /// the tracker are dropped
   std::string mode = "offline";
-  std::string dynamics = "off";    ///< what is done about moving things
-  int64_t seed = 1;                ///< of everything that is drawn by chance: RANSAC in relocalisation
-  int64_t max_frames = 0;          ///< only so many pictures from the start of a sequence; 0: all
+  std::string dynamics = "off";  ///< what is done about moving things
+  int64_t seed = 1;              ///< of everything that is drawn by chance: RANSAC in relocalisation
+  int64_t max_frames = 0;        ///< only so many pictures from the start of a sequence; 0: all
   FeatureOptions features;
   TrackingOptions tracking;
   MappingOptions mapping;
