@@ -28,8 +28,8 @@ struct TextFile {
   std::string Where(const TextLine& line) const { return path + ", line " + std::to_string(line.number); }
 };
 
-/// The text of a whole file as it is, without a byte-order mark; UTF-16 with one is turned to UTF-8. Bad input when it is missing, a folder, unreadable, or
-/// holds zero bytes (is no text).
+/// The text of a whole file as it is, without a byte-order mark; UTF-16 with one is turned to UTF-8. Bad input when it
+/// is missing, a folder, unreadable, or holds zero bytes (is no text).
 Result<std::string> ReadWholeText(const std::string& path);
 
 /// Reads a text file line by line. Bad input when it is missing, a folder, unreadable, or holds zero bytes (is no
