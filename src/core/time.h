@@ -25,9 +25,11 @@ struct Timestamp {
   friend bool operator>=(Timestamp a, Timestamp b) { return a.ns >= b.ns; }
 };
 
-/// `later` - `earlier` in seconds.
+/// `later` - `earlier` in seconds, to the microsecond: a stamp that was printed from a double differs from the original
+/// in the seventh decimal, and the same recording must give the same motion to the bit.
 inline double SecondsBetween(Timestamp earlier, Timestamp later) {
-  return static_cast<double>(later.ns - earlier.ns) * 1e-9;
+  const int64_t ns = later.ns - earlier.ns;
+  return static_cast<double>((ns + (ns < 0 ? -500 : 500)) / 1000) * 1e-6;
 }
 
 /// Reads "1305031102.175304", "1.305031102175304e9" and the like without going through a double. Digits finer than a

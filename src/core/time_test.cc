@@ -104,5 +104,16 @@ TEST(Time, OrderIsOfWholeNumbers) {
   EXPECT_FALSE(b < a || b <= a || a > b || a >= b || a == b);
 }
 
+TEST(SecondsBetween, IsTheSameForStampsThatWerePrintedFromDoubles) {
+  const auto a = ParseTimestamp("1305031102.175304"), b = ParseTimestamp("1305031102.211214");
+  const auto printed_a = ParseTimestamp("1.305031102175303936e+09"),
+             printed_b = ParseTimestamp("1.305031102211214066e+09");
+  ASSERT_TRUE(a && b && printed_a && printed_b);
+  EXPECT_NE(*a, *printed_a);
+  EXPECT_EQ(SecondsBetween(*a, *b), SecondsBetween(*printed_a, *printed_b));
+  EXPECT_DOUBLE_EQ(SecondsBetween(*a, *b), 0.03591);
+  EXPECT_DOUBLE_EQ(SecondsBetween(*b, *a), -0.03591);
+}
+
 }  // namespace
 }  // namespace yorb

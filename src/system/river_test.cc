@@ -112,6 +112,30 @@ TEST(River, NeverPlacesACameraInAnotherWorld) {
   }
 }
 
+TEST(River, GivesARepeatedPictureThePoseOfTheFirst) {
+  const SyntheticWorld world(17, Noisy());
+  River river;
+  FrameRecord record;
+  for (int k = 0; k < 20; ++k) {
+    record = river.Push(world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
+  }
+  const Rigid3 pose = river.PoseOf(record);
+  const size_t num_keyframes = river.map().num_keyframes();
+  const FramePtr frozen = world.Look(PoseAt(19), FrameId(19), TimeOf(19)).frame;
+  for (int k = 20; k < 80; ++k) {
+    auto repeat = std::make_shared<Frame>(*frozen);
+    repeat->id = FrameId(static_cast<uint32_t>(k));
+    repeat->timestamp = TimeOf(k);
+    record = river.Push(repeat);
+    ASSERT_EQ(record.state, TrackingState::kTracking);
+    EXPECT_EQ(river.PoseOf(record).translation, pose.translation);
+  }
+  EXPECT_EQ(river.map().num_keyframes(), num_keyframes);
+  record = river.Push(world.Look(PoseAt(21), FrameId(80), TimeOf(80)).frame);
+  EXPECT_EQ(record.state, TrackingState::kTracking);
+  EXPECT_LT(Error(river.PoseOf(record), 21), 0.03);
+}
+
 TEST(River, WaitsForAFrameWithDepthToBegin) {
   SyntheticWorldOptions flat = Noisy();
   flat.depth_share = 0;

@@ -19,6 +19,13 @@ int CountPointsWithDepth(const Frame& frame) {
   return static_cast<int>(std::count_if(frame.depth.begin(), frame.depth.end(), [](float d) { return d > 0; }));
 }
 
+/// Whether both frames are of the very same picture: a driver that hands it out again under a new time stamp.
+bool IsSamePicture(const Frame& a, const Frame& b) {
+  const auto is_same_place = [](const Keypoint& p, const Keypoint& q) { return p.x == q.x && p.y == q.y; };
+  return a.size() > 0 && a.descriptors == b.descriptors &&
+         std::equal(a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(), is_same_place);
+}
+
 }  // namespace
 
 Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
@@ -47,6 +54,7 @@ Tracked Tracker::Begin(const FramePtr& frame) {
 }
 
 Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
+  if (IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
   std::optional<Fix> fix = FindPose(*frame, map);
   Tracked tracked;
@@ -69,6 +77,18 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
       *frame, *fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
       backlog};
   if (IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, *fix);
+  return tracked;
+}
+
+Tracked Tracker::StandStill() {
+  // One picture, one pose. Where the camera is by now nobody knows; the motion model starts anew after the pause.
+  Tracked tracked;
+  state_ = TrackingState::kTracking;
+  const auto num_matches =
+      std::count_if(last_.matches.begin(), last_.matches.end(), [](LandmarkId id) { return id.IsValid(); });
+  tracked.record.reference = last_.reference;
+  tracked.record.cam_from_reference = last_.cam_from_reference;
+  tracked.record.num_matched = tracked.record.num_inliers = static_cast<int>(num_matches);
   return tracked;
 }
 

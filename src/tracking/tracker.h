@@ -40,6 +40,7 @@ class Tracker {
 
   Tracked Begin(const FramePtr& frame);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
+  Tracked StandStill();
   std::optional<Fix> FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
