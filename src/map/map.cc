@@ -104,6 +104,18 @@ std::optional<Rigid3> Map::CamFromWorld(KeyframeId id) const {
   return cam_from_ancestor * keyframe->cam_from_world;
 }
 
+std::vector<LandmarkId> Map::SeenBy(const std::vector<KeyframeId>& keyframes) const {
+  std::vector<LandmarkId> ids;
+  for (const KeyframeId keyframe : keyframes) {
+    for (const LandmarkId id : Find(keyframe)->landmarks) {
+      if (id.IsValid()) ids.push_back(id);
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
 KeyframeId Map::Surviving(KeyframeId id) const {
   for (auto gone = removed_.find(id); gone != removed_.end(); gone = removed_.find(id)) id = gone->second.parent;
   return id;

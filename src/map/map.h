@@ -35,6 +35,9 @@ class Map {
   /// The pose of a keyframe that is there or was removed; nothing for ids that never were.
   std::optional<Rigid3> CamFromWorld(KeyframeId id) const;
 
+  /// All landmarks that these keyframes see, each once, by ascending id.
+  std::vector<LandmarkId> SeenBy(const std::vector<KeyframeId>& keyframes) const;
+
   /// The keyframe itself, or, where it was removed, the nearest ancestor that is there.
   KeyframeId Surviving(KeyframeId id) const;
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "map/synthetic_world.h"
 
 namespace yorb {
@@ -127,6 +129,14 @@ TEST(Map, RemovedKeyframeFollowsItsParent) {
   EXPECT_LT((pose->translation - expected.translation).norm(), 1e-12);
   EXPECT_EQ(built.map.Surviving(built.keyframes[2]), built.keyframes[0]);
   EXPECT_FALSE(built.map.CamFromWorld(KeyframeId(99)).has_value());
+}
+
+TEST(Map, SeenByNamesEachLandmarkOnce) {
+  const Built built = Build(3);
+  const std::vector<LandmarkId> ids = built.map.SeenBy(built.keyframes);
+  EXPECT_EQ(ids.size(), built.map.num_landmarks());
+  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+  EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
 }
 
 TEST(Map, ALandmarkGoesWithItsLastView) {

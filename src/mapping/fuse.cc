@@ -9,18 +9,6 @@
 namespace yorb {
 namespace {
 
-std::vector<LandmarkId> LandmarksOf(const Map& map, const std::vector<KeyframeId>& keyframes) {
-  std::vector<LandmarkId> ids;
-  for (const KeyframeId keyframe : keyframes) {
-    for (const LandmarkId id : map.Find(keyframe)->landmarks) {
-      if (id.IsValid()) ids.push_back(id);
-    }
-  }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  return ids;
-}
-
 /// The neighbours, and half as many neighbours of each of them.
 std::vector<KeyframeId> Targets(const Map& map, KeyframeId center, size_t num_neighbours) {
   std::vector<KeyframeId> targets = map.Find(center)->Strongest(num_neighbours, 1);
@@ -52,9 +40,9 @@ void Apply(Map& map, const std::vector<Sighting>& sightings, KeyframeId keyframe
 void FuseWithNeighbours(Map& map, KeyframeId keyframe, size_t num_neighbours) {
   const std::vector<KeyframeId> targets = Targets(map, keyframe, num_neighbours);
   for (const KeyframeId target : targets) {
-    Apply(map, FindSightings(map, LandmarksOf(map, {keyframe}), *map.Find(target)), target);
+    Apply(map, FindSightings(map, map.SeenBy({keyframe}), *map.Find(target)), target);
   }
-  Apply(map, FindSightings(map, LandmarksOf(map, targets), *map.Find(keyframe)), keyframe);
+  Apply(map, FindSightings(map, map.SeenBy(targets), *map.Find(keyframe)), keyframe);
 }
 
 }  // namespace yorb

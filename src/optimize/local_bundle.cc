@@ -19,18 +19,6 @@ struct NamedProblem {
   size_t num_moving = 0;
 };
 
-std::vector<LandmarkId> LandmarksOf(const Map& map, const std::vector<KeyframeId>& keyframes) {
-  std::vector<LandmarkId> ids;
-  for (const KeyframeId keyframe : keyframes) {
-    for (const LandmarkId id : map.Find(keyframe)->landmarks) {
-      if (id.IsValid()) ids.push_back(id);
-    }
-  }
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  return ids;
-}
-
 /// The keyframes outside of `moving` that see most of the landmarks.
 std::vector<KeyframeId> Surrounding(const Map& map, const std::vector<LandmarkId>& landmarks,
                                     const std::vector<KeyframeId>& moving, size_t max_fixed) {
@@ -53,7 +41,7 @@ NamedProblem Collect(const Map& map, KeyframeId center, const LocalBundleOptions
   std::vector<KeyframeId> moving = {center};
   for (const KeyframeId id : map.Find(center)->Strongest(options.max_moving - 1, options.min_shared))
     moving.push_back(id);
-  named.landmarks = LandmarksOf(map, moving);
+  named.landmarks = map.SeenBy(moving);
   const std::vector<KeyframeId> fixed = Surrounding(map, named.landmarks, moving, options.max_fixed);
 
   // The first keyframe defines the world; where nothing else is fixed, the oldest of the neighbourhood holds it.

@@ -6,6 +6,7 @@
 
 #include "map/map.h"
 #include "matching/by_projection.h"
+#include "tracking/fix.h"
 
 namespace yorb {
 
@@ -22,5 +23,9 @@ LocalMap CollectLocalMap(const Map& map, const std::vector<LandmarkId>& matches,
 std::vector<ExpectedLandmark> ExpectLocalLandmarks(const Map& map, const LocalMap& local, const Frame& frame,
                                                    const Rigid3& cam_from_world, const std::vector<LandmarkId>& matches,
                                                    float widening);
+
+/// The pose anew, on the matches so far and the expected landmarks that are found among the other keypoints.
+Fix FixWithExpected(const Frame& frame, const Map& map, const Fix& coarse,
+                    const std::vector<ExpectedLandmark>& expected);
 
 }  // namespace yorb

@@ -21,14 +21,7 @@ Fix Extend(const Frame& frame, const Map& map, const Fix& coarse, const Keyframe
   local.keyframes.push_back(keyframe.id);
   const auto widening = static_cast<float>(radius_px / kRadiusOfWideningOne);
   const auto expected = ExpectLocalLandmarks(map, local, frame, coarse.cam_from_world, coarse.matches, widening);
-  std::vector<bool> taken(frame.size());
-  for (size_t i = 0; i < frame.size(); ++i) taken[i] = coarse.matches[i].IsValid();
-  const std::vector<int> rows = MatchExpected(frame, expected, taken);
-  std::vector<LandmarkId> matches = coarse.matches;
-  for (size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i] >= 0) matches[i] = expected[static_cast<size_t>(rows[i])].id;
-  }
-  return FixFromLandmarks(frame, map, coarse.cam_from_world, matches);
+  return FixWithExpected(frame, map, coarse, expected);
 }
 
 /// The newest keyframes, and a few of the older ones in turn, so that every place is asked about within some frames.

@@ -153,15 +153,7 @@ std::optional<Fix> Tracker::TrackLocalMap(const Frame& frame, const Map& map, co
   const auto widening = static_cast<float>(options_.local_widening);
   const std::vector<ExpectedLandmark> expected =
       ExpectLocalLandmarks(map, local_, frame, coarse.cam_from_world, coarse.matches, widening);
-  std::vector<bool> taken(frame.size());
-  for (size_t i = 0; i < frame.size(); ++i) taken[i] = coarse.matches[i].IsValid();
-  const std::vector<int> rows = MatchExpected(frame, expected, taken);
-
-  std::vector<LandmarkId> matches = coarse.matches;
-  for (size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i] >= 0) matches[i] = expected[static_cast<size_t>(rows[i])].id;
-  }
-  Fix fix = FixFromLandmarks(frame, map, coarse.cam_from_world, matches);
+  Fix fix = FixWithExpected(frame, map, coarse, expected);
   std::vector<LandmarkId> visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) visible.push_back(e.id);
   CountSeen(visible, fix);
