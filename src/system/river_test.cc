@@ -19,7 +19,7 @@ Rigid3 PoseAt(int frame) {
           Eigen::Vector3d(0.5 * std::sin(t), 0.2 * std::sin(1.7 * t), 0.3 * std::cos(t) - 0.3)};
 }
 
-Timestamp TimeOf(int frame) { return {frame * int64_t{33333333}}; }
+Timestamp TimeOf(int frame) { return {frame * int64_t{33000000}}; }
 
 /// The river without pictures and threads.
 class River {
