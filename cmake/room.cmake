@@ -11,7 +11,8 @@ function(yorb_options target)
   endif()
   if(YORB_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE} -fno-sanitize-recover=all
-                                             -fno-omit-frame-pointer)
+                                             -fno-omit-frame-pointer
+                                             -Wno-maybe-uninitialized)  # a false alarm of gcc 12 in sanitized code
     if(YORB_SANITIZE MATCHES "address.*undefined")
       # Checks of every pointer on top of AddressSanitizer's find nothing more, and treble the time to compile Eigen.
       target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,vptr,object-size,pointer-overflow)
