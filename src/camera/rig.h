@@ -52,7 +52,7 @@ struct Rig {
   double close_factor = 40.0;  ///< points nearer than close_factor baselines are "close": their depth is trusted
   double depth_factor =
       5000;              ///< units of a 16-bit depth picture in one metre; 0: not stated, fine for float depth only
-  double readout_s = 0;  ///< rolling shutter: from the picture's first row to its last; 0: all rows at once
+  double readout_s = 0;  ///< rolling shutter: from the first row of a picture to its last; 0: all rows at once
   double fps = 30;       ///< nominal rate of the colour pictures; 0: not stated (a Dataset fills it in)
   std::string name;      ///< of the file or the built-in camera, for messages
 

@@ -11,7 +11,7 @@ FramePtr WithoutShutter(const FramePtr& frame, const std::optional<CameraRate>& 
   const float unknown = median > 0 ? median : kFarAway;
   auto corrected = std::make_shared<Frame>(*frame);
   for (size_t i = 0; i < frame->size(); ++i) {
-    const double seconds = rig.readout_s * frame->keypoints[i].y / rig.camera.height;
+    const double seconds = rig.readout_s * (frame->keypoints[i].y / rig.camera.height - 0.5);
     const float depth = frame->HasDepth(i) ? frame->depth[i] : unknown;
     const Eigen::Vector2f& px = frame->points_px[i];
     const Eigen::Vector3d x_in_cam = rate->After(seconds).Inverse() * rig.camera.Unproject(px.x(), px.y(), depth);

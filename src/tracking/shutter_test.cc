@@ -19,7 +19,7 @@ Frame Rolled(const Frame& frame, const CameraRate& rate, double readout_s) {
     Eigen::Vector3d x_in_cam = frame.PointInCam(i);
     double row = frame.points_px[i].y();
     for (int k = 0; k < 10; ++k) {  // the row at which it is read depends on where it is by then
-      x_in_cam = rate.After(readout_s * row / rig.camera.height) * frame.PointInCam(i);
+      x_in_cam = rate.After(readout_s * (row / rig.camera.height - 0.5)) * frame.PointInCam(i);
       row = rig.camera.Project(x_in_cam).y();
     }
     rolled.points_px[i] = rig.camera.Project(x_in_cam).cast<float>();
