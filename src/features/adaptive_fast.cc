@@ -111,4 +111,18 @@ const std::vector<Corner>& CornerDetector::Detect(const GreyView& level, const C
   return corners_;
 }
 
+const std::vector<Corner>& CornerDetector::DetectFirst(const GreyView& level, const CornerOptions& options,
+                                                       Instructions instructions) {
+  corners_.clear();
+  const int lowest = options.is_adaptive ? options.noise : options.high;
+  const std::vector<Corner>& found = fast_.Detect(level, {lowest, options.arc, options.border}, instructions);
+  Classify(found, level, options, instructions);
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (classes_[i] != Class::kFirst) continue;
+    corners_.push_back(found[i]);
+    corners_.back().response = static_cast<float>(found[i].score);
+  }
+  return corners_;
+}
+
 }  // namespace yorb

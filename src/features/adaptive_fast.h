@@ -28,6 +28,10 @@ class CornerDetector {
   const std::vector<Corner>& Detect(const GreyView& level, const CornerOptions& options, int enough,
                                     Instructions instructions);
 
+  /// All corners that pass the first threshold, and no others: what the paper counts under changing light.
+  const std::vector<Corner>& DetectFirst(const GreyView& level, const CornerOptions& options,
+                                         Instructions instructions);
+
  private:
   /// What a corner of the score map has passed.
   enum class Class : uint8_t { kNoise, kSecond, kFirst, kChosen };

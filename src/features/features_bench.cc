@@ -13,6 +13,7 @@
 #include "features/descriptor.h"
 #include "features/hamming.h"
 #include "features/orb_extractor.h"
+#include "features/original_extractor.h"
 #include "features/pyramid.h"
 #include "features/quadtree.h"
 #include "features/test_pictures.h"
@@ -173,50 +174,11 @@ void BM_CvOrb(benchmark::State& state) {
 }
 BENCHMARK(BM_CvOrb)->Unit(benchmark::kMillisecond);
 
-/// FAST in cells of about 30 px that overlap by the ring, at 20 and, where that finds nothing, at 7.
-std::vector<Corner> CornersByCells(const cv::Mat& level) {
-  std::vector<Corner> corners;
-  const int border = 16, width = level.cols - 2 * border, height = level.rows - 2 * border;
-  const int columns = std::max(1, width / 30), rows = std::max(1, height / 30);
-  const int cell_width = (width + columns - 1) / columns, cell_height = (height + rows - 1) / rows;
-  for (int cell = 0; cell < rows * columns; ++cell) {
-    const cv::Point corner(border + cell % columns * cell_width, border + cell / columns * cell_height);
-    const cv::Rect area =
-        cv::Rect(corner, cv::Size(cell_width + 6, cell_height + 6)) & cv::Rect(border, border, width, height);
-    if (area.width < 7 || area.height < 7) continue;
-    std::vector<cv::KeyPoint> found;
-    cv::FAST(level(area), found, 20, true);
-    if (found.empty()) cv::FAST(level(area), found, 7, true);
-    for (const cv::KeyPoint& k : found) {
-      corners.push_back({static_cast<int>(k.pt.x) + area.x, static_cast<int>(k.pt.y) + area.y,
-                         static_cast<int>(k.response), k.response, 0.f, 0.f});
-    }
-  }
-  return corners;
-}
-
-/// What ORB-SLAM2's extractor does, stage by stage, with OpenCV's parts: cells, full quadtree, a blur for each level.
+/// What ORB-SLAM2's extractor does, stage by stage: cells, full quadtree, a blur for each level.
 void BM_OriginalWay(benchmark::State& state) {
   cv::setNumThreads(1);
-  Quadtree quadtree;
-  for (auto _ : state) {
-    cv::Mat level = Picture(), blurred;
-    for (int octave = 0; octave < kLevels; ++octave) {
-      const GreyView& size = Levels().Level(octave);
-      cv::Mat smaller;
-      if (octave > 0) cv::resize(level, smaller, {size.width, size.height}, 0, 0, cv::INTER_LINEAR);
-      if (octave > 0) level = smaller;
-      const int wanted = static_cast<int>(217 / std::pow(kFactor, octave));
-      const std::vector<Corner> corners = quadtree.KeepBestOfEach(CornersByCells(level), InnerArea(size), wanted);
-      cv::GaussianBlur(level, blurred, {7, 7}, 2, 2, cv::BORDER_REFLECT_101);
-      const GreyView sharp{level.data, level.cols, level.rows, static_cast<ptrdiff_t>(level.step[0])};
-      const GreyView soft{blurred.data, blurred.cols, blurred.rows, static_cast<ptrdiff_t>(blurred.step[0])};
-      for (const Corner& c : corners) {
-        const float angle = OrientationOf(sharp, c.x, c.y, Instructions::kPortable);
-        benchmark::DoNotOptimize(DescribeAt(soft, c.x, c.y, angle, Instructions::kPortable));
-      }
-    }
-  }
+  OriginalExtractor extractor({});
+  for (auto _ : state) benchmark::DoNotOptimize(extractor.Extract(Picture()).keypoints.data());
 }
 BENCHMARK(BM_OriginalWay)->Unit(benchmark::kMillisecond);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/check.h"
-#include "features/adaptive_fast.h"
 #include "features/blur.h"
 #include "features/descriptor.h"
 #include "features/pyramid.h"
@@ -29,6 +28,8 @@ std::vector<int> SharesOf(const FeatureOptions& options) {
   return shares;
 }
 
+}  // namespace
+
 CornerOptions CornersOf(const FeatureOptions& options) {
   CornerOptions corners;
   corners.is_adaptive = options.detector == "adaptive";
@@ -41,8 +42,6 @@ CornerOptions CornersOf(const FeatureOptions& options) {
   corners.border = kFeatureBorder;
   return corners;
 }
-
-}  // namespace
 
 /// What stays from frame to frame, so that nothing is allocated anew.
 struct OrbExtractor::Scratch {

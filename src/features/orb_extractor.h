@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/options.h"
+#include "features/adaptive_fast.h"
 #include "features/keypoint.h"
 
 namespace yorb {
@@ -47,6 +48,9 @@ struct FeatureOptions {
     visit("subpixel", self.subpixel, AnyValue());
   }
 };
+
+/// How these options choose the corners of a level.
+CornerOptions CornersOf(const FeatureOptions& options);
 
 /// Finds oriented FAST corners over a pyramid, spreads them over the picture and describes them.
 /// Deterministic: the same picture gives the same features, whatever came before.
