@@ -24,10 +24,11 @@ namespace yorb {
 //   baseline_px: 40              # fx times the (virtual) baseline; or baseline_m in metres; left out: 0.08 m
 //   close_factor: 40             # depth is trusted up to so many baselines
 //   depth_factor: 5000           # units of a 16-bit depth picture in one metre
+//   readout_s: 0.026             # a rolling shutter's time from the first row to the last; left out: 0, all at once
 //
 // Read as well: ORB-SLAM2 and ORB-SLAM3 settings (and OpenVSLAM's, which are near to them), ROS camera_info, OpenCV
 // calibrations, Kalibr's camchain of one camera, EuRoC's sensor.yaml. The calibration formats do not speak of depth:
-// depth_factor, baseline_*, close_factor and fps may be added to them as top-level keys of the names above.
+// depth_factor, baseline_*, close_factor, readout_s and fps may be added to them as top-level keys of the names above.
 //
 // A file that states no depth factor gives a rig with depth_factor 0, "not known", and one without a rate fps 0. No
 // default is taken for the depth factor, since a wrong one is a wrong scale: datasets refuses it when it meets a 16-bit

@@ -58,6 +58,8 @@ float Frame::MedianDepth() const {
 
 FrameBuilder::FrameBuilder(const FeatureOptions& options, const Rig& rig)
     : extractor_(options),
+      wanted_(static_cast<size_t>(options.wanted)),
+      trim_by_(options.trim == "spread" ? TrimBy::kSpread : TrimBy::kResponse),
       rig_(std::make_shared<const Rig>(rig)),
       scales_(std::make_shared<const ScaleTable>(options.levels, options.scale_factor)),
       bounds_(rig.Bounds()) {}
@@ -70,7 +72,7 @@ FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images) {
   frame->scales = scales_;
   frame->bounds = bounds_;
 
-  Features features = extractor_.Extract(images.grey);
+  Features features = Trim(extractor_.Extract(images.grey), wanted_, trim_by_);
   frame->keypoints = std::move(features.keypoints);
   frame->descriptors = std::move(features.descriptors);
 

@@ -7,10 +7,12 @@
 #include "camera/image_set.h"
 #include "features/frame.h"
 #include "features/orb_extractor.h"
+#include "features/trim.h"
 
 namespace yorb {
 
-/// From pictures to a Frame: extraction, undistortion, depth of each point, grid.
+/// From pictures to a Frame: extraction, trimming to the wanted number, undistortion, depth of each
+/// point, grid.
 class FrameBuilder {
  public:
   FrameBuilder(const FeatureOptions& options, const Rig& rig);
@@ -20,6 +22,8 @@ class FrameBuilder {
 
  private:
   OrbExtractor extractor_;
+  size_t wanted_;
+  TrimBy trim_by_;
   std::shared_ptr<const Rig> rig_;
   std::shared_ptr<const ScaleTable> scales_;
   PixelBounds bounds_;

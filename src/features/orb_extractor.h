@@ -19,6 +19,7 @@ namespace yorb {
 struct FeatureOptions {
   int wanted = 1000;                      ///< points a picture that tracking gets
   double over_extraction = 1.0;           ///< how many times `wanted` is extracted, so that enough remain after removal
+  std::string trim = "response";          ///< what stays of more than wanted: the strongest, or spread over the picture
   int levels = 8;                         ///< of the pyramid
   double scale_factor = 1.2;              ///< between levels
   std::string detector = "adaptive";      ///< fixed: ORB-SLAM2's thresholds; adaptive: equation (3) of the paper
@@ -35,6 +36,7 @@ struct FeatureOptions {
   static void Visit(Self& self, Visitor&& visit) {
     visit("wanted", self.wanted, Range(50, 20000));
     visit("over_extraction", self.over_extraction, Range(1, 5));
+    visit("trim", self.trim, OneOf({"response", "spread"}));
     visit("levels", self.levels, Range(1, 12));
     visit("scale_factor", self.scale_factor, Range(1.05, 2));
     visit("detector", self.detector, OneOf({"fixed", "adaptive"}));
