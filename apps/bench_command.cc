@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "apps/bench_features.h"
+#include "apps/bench_light.h"
 #include "apps/command.h"
 #include "apps/sequence_arguments.h"
 #include "apps/signals.h"
@@ -31,7 +33,7 @@ int Speed(const SpeedArguments& arguments) {
 void AddBenchCommand(CLI::App& program, Action& action) {
   CLI::App* bench = program.add_subcommand("bench", "Measures what this program claims");
   bench->require_subcommand(1);
-  bench->footer("Example:\n  yorb bench speed rgbd_dataset_freiburg1_xyz");
+  bench->footer("Examples:\n  yorb bench speed rgbd_dataset_freiburg1_xyz\n  yorb bench features my_pictures");
   CLI::App* speed = bench->add_subcommand("speed", "Times of every stage beside OpenCV's ORB on the same pictures");
   const auto arguments = std::make_shared<SpeedArguments>();
   arguments->sequence.AddTo(*speed);
@@ -41,6 +43,8 @@ void AddBenchCommand(CLI::App& program, Action& action) {
       "  yorb bench speed rgbd_dataset_freiburg1_xyz\n"
       "  yorb bench speed my_room --camera my_camera.yaml --max-frames 300 --json");
   speed->callback([arguments, &action] { action = [arguments] { return Speed(*arguments); }; });
+  AddBenchLight(*bench, action);
+  AddBenchFeatures(*bench, action);
 }
 
 }  // namespace yorb

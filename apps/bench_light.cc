@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/bench_light.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/progress.h"
+#include "apps/sequence_arguments.h"
+#include "apps/signals.h"
+#include "core/files.h"
+#include "core/text.h"
+#include "evaluation/trajectory_io.h"
+#include "experiments/light_text.h"
+
+namespace yorb {
+namespace {
+
+constexpr long long kMostSeeds = 1000;
+
+struct LightArguments {
+  SequenceArguments sequence;
+  std::vector<std::string> lights;
+  std::optional<std::string> seeds, out;
+  bool wants_json = false;
+};
+
+Result<std::vector<LightKind>> LightsOf(const std::vector<std::string>& names) {
+  std::vector<LightKind> lights;
+  for (const std::string& name : names.empty() ? LightNames() : names) {
+    const auto light = ParseLight(name);
+    if (!light)
+      return BadInput("--light: " + name + " is no light; did you mean " + NearestWord(name, LightNames()) + "?");
+    lights.push_back(*light);
+  }
+  return lights;
+}
+
+Result<int> SeedsOf(const std::optional<std::string>& text) {
+  if (!text) return 1;
+  const auto number = ParseInteger(*text);
+  if (number && *number >= 1 && *number <= kMostSeeds) return static_cast<int>(*number);
+  return BadInput("--seeds must be a whole number from 1 to " + std::to_string(kMostSeeds) + ", not " + *text);
+}
+
+/// The truth beside the pictures; none is no fault, a faulty one is.
+Result<Trajectory> TruthOf(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "groundtruth.txt").string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return Trajectory();
+  auto truth = ReadTrajectoryFile(path);
+  if (!truth) return truth.error();
+  return std::move(truth->poses);
+}
+
+Status WriteResults(const std::string& folder, const LightReport& report) {
+  const auto in_folder = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
+  std::vector<FileToWrite> files = {{in_folder("light.txt"), LightText(report)},
+                                    {in_folder("light.json"), LightJson(report)}};
+  std::vector<LightKind> drawn;
+  for (const LightRun& run : report.runs) {
+    if (std::find(drawn.begin(), drawn.end(), run.light) != drawn.end()) continue;
+    drawn.push_back(run.light);
+    files.push_back({in_folder("light_" + ToString(run.light) + ".svg"), LightSheet(report, run.light)});
+  }
+  return WriteFilesTogether(files);
+}
+
+Result<LightReport> Measure(const LightArguments& arguments) {
+  const auto lights = LightsOf(arguments.lights);
+  if (!lights) return lights.error();
+  const auto seeds = SeedsOf(arguments.seeds);
+  if (!seeds) return seeds.error();
+  if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
+  const auto sequence = OpenSequence(arguments.sequence);
+  if (!sequence) return sequence.error();
+  const auto truth = TruthOf(sequence->folder);
+  if (!truth) return truth.error();
+  Progress progress(arguments.wants_json);
+  LightBenchHooks hooks;
+  hooks.should_stop = IsStopAsked;
+  hooks.on_frame = [&](size_t num_done, size_t num_frames) { progress.Show(num_done, num_frames); };
+  hooks.on_run = [&](const LightRun& run) {
+    progress.End();
+    if (arguments.wants_json) return;
+    std::fputs(LightRunText(run).c_str(), stdout);
+    std::fflush(stdout);
+  };
+  auto report = MeasureLight(*sequence->dataset, {sequence->config, *lights, *seeds, *truth}, hooks);
+  progress.End();
+  return report;
+}
+
+int Light(const LightArguments& arguments) {
+  CatchSignals();
+  const auto report = Measure(arguments);
+  if (!report) return Complain(report.error());
+  std::fputs((arguments.wants_json ? LightJson(*report) : "\n" + LightText(*report)).c_str(), stdout);
+  if (arguments.out) {
+    const Status written = WriteResults(*arguments.out, *report);
+    if (!written) return Complain(written.error());
+  }
+  return ExitCodeAfterSignal(kExitDone);
+}
+
+}  // namespace
+
+void AddBenchLight(CLI::App& bench, Action& action) {
+  CLI::App* light = bench.add_subcommand("light", "SLAM in changing light: the original front end beside ours");
+  const auto arguments = std::make_shared<LightArguments>();
+  arguments->sequence.AddTo(*light);
+  light
+      ->add_option("--light", arguments->lights,
+                   "ramp, flicker, switch, shade or dim, beside steady; may be given often; left out: all")
+      ->allow_extra_args(false)
+      ->type_name("KIND");
+  light->add_option("--seeds", arguments->seeds, "So many runs of each, with seeds of their own");
+  light->add_option("--out", arguments->out, "A folder for the table, the JSON, and a plot over time of each light");
+  light->add_flag("--json", arguments->wants_json, "JSON on standard output");
+  light->footer(
+      "The light changes while the pictures are read, with a sensor's noise; depth and truth stay. All runs are\n"
+      "inline. Errors need a groundtruth.txt beside the pictures.\n"
+      "Examples:\n"
+      "  yorb bench light rgbd_dataset_freiburg1_xyz --out plots\n"
+      "  yorb bench light my_room --camera my_camera.yaml --light switch --light dim --seeds 5 --json");
+  light->callback([arguments, &action] { action = [arguments] { return Light(*arguments); }; });
+}
+
+}  // namespace yorb
