@@ -149,6 +149,6 @@ int main(int argc, char** argv) {
   try {
     return yorb::CheckOutput(yorb::ReadAndAct(argc, argv));
   } catch (const std::exception& error) {
-    return yorb::Complain(yorb::Failure(std::string("internal failure: ") + error.what()));
+    return yorb::Complain(yorb::FailureOf(error));
   }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,6 +28,12 @@ inline Error BadInput(std::string message) { return {Error::Kind::kBadInput, std
 
 /// An error of the machine, or of ours.
 inline Error Failure(std::string message) { return {Error::Kind::kFailure, std::move(message)}; }
+
+/// The error that an exception of the machine or of a library stands for.
+inline Error FailureOf(const std::exception& error) {
+  const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  return Failure(is_memory ? "there is not enough memory" : std::string("internal failure: ") + error.what());
+}
 
 /// A value, or the reason why there is none.
 template <typename T>

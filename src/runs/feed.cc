@@ -119,9 +119,13 @@ FeedLog Feed(const Dataset& dataset, const Config& config, Slam& slam, const Fee
   try {
     FeedFrames(dataset, config, slam, hooks, log);
   } catch (const std::exception& error) {
-    log.error = Failure(std::string("the run was broken off: ") + error.what());
+    log.error = FailureOf(error);
   }
   slam.Finish();
+  if (const Status fault = slam.Fault(); !fault) log.error = fault.error();
+  if (log.error && log.error->kind == Error::Kind::kFailure) {
+    log.error->message = "the run was broken off: " + log.error->message;
+  }
   return log;
 }
 

@@ -22,9 +22,15 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, Mode mode)
       first_map_(1),
       view_(std::make_shared<const Map>()) {
   if (mode_ == Mode::kInline) return;
-  threads_.emplace_back([this] { RunExtraction(); });
-  threads_.emplace_back([this] { RunTracking(); });
-  threads_.emplace_back([this] { RunMapping(); });
+  try {
+    Spawn(&Pipeline::RunExtraction);
+    Spawn(&Pipeline::RunTracking);
+    Spawn(&Pipeline::RunMapping);
+  } catch (...) {  // no more threads to be had
+    CloseAll();
+    Finish();
+    throw;
+  }
 }
 
 Pipeline::~Pipeline() { Finish(); }
@@ -37,6 +43,29 @@ bool Pipeline::Push(ImageSet images) {
     view_.Set(mapper_.Snapshot());
   }
   return true;
+}
+
+void Pipeline::Spawn(void (Pipeline::*stage)()) {
+  threads_.emplace_back([this, stage] {
+    try {
+      (this->*stage)();
+    } catch (const std::exception& error) {
+      fault_.Set(std::make_shared<const Error>(FailureOf(error)));
+      CloseAll();
+    }
+  });
+}
+
+void Pipeline::CloseAll() {
+  images_.Close();
+  frames_.Close();
+  proposals_.Close();
+  first_map_.Close();
+}
+
+Status Pipeline::Fault() const {
+  const auto fault = fault_.Get();
+  return fault ? Status(*fault) : Status::Ok();
 }
 
 void Pipeline::Finish() {

@@ -30,6 +30,10 @@ class Pipeline {
 
   bool Push(ImageSet images);
   void Finish();
+
+  /// What a stage threw on its thread: all streams are closed then.
+  Status Fault() const;
+
   MapSnapshot Snapshot() const { return view_.Get(); }
   SlamReport Report() const { return log_.Report(*view_.Get()); }
   size_t num_frames_done() const { return log_.num_frames(); }
@@ -45,6 +49,8 @@ class Pipeline {
   std::optional<Proposal> Track(const Extracted& extracted);
   void Handle(const Proposal& proposal, const MapperHooks& hooks);
 
+  void Spawn(void (Pipeline::*stage)());
+  void CloseAll();
   void RunExtraction();
   void RunTracking();
   void RunMapping();
@@ -60,6 +66,7 @@ class Pipeline {
   Channel<MapSnapshot> first_map_;      ///< the tracker waits for the map to begin
   std::atomic<size_t> num_pending_{0};  ///< proposals that the mapper has not worked off
   Latest<Map> view_;
+  Latest<Error> fault_;
   FrameLog log_;
   uint32_t next_frame_ = 0;
   std::vector<std::thread> threads_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "system/slam.h"
 
+#include "system/config_io.h"
 #include "system/pipeline.h"
 
 namespace yorb {
@@ -12,11 +13,17 @@ Mode ModeOf(const Config& config) {
   return config.mode == "live" ? Mode::kLive : Mode::kOffline;
 }
 
+bool IsDepthFor(const DepthImage& depth, const cv::Mat& grey) {
+  const int type = depth.pixels.type();
+  return depth.empty() || ((type == CV_16UC1 || type == CV_32FC1) && depth.pixels.size() == grey.size());
+}
+
 std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 }  // namespace
 
 Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig) {
+  if (const Status valid = ValidateConfig(config); !valid) return valid.error();
   if (rig.camera.width <= 0 || rig.camera.height <= 0) {
     return BadInput("the camera " + rig.name + " states no picture size; give it width and height");
   }
@@ -38,15 +45,26 @@ Result<bool> Slam::Push(ImageSet images) {
     return BadInput("the picture at " + ToString(images.timestamp) + " s is " +
                     SizeText(images.grey.cols, images.grey.rows) + ", the camera's are " + SizeText(width_, height_));
   }
+  if (images.grey.type() != CV_8UC1) {
+    return BadInput("the picture at " + ToString(images.timestamp) + " s is not 8-bit grey");
+  }
+  if (!IsDepthFor(images.depth, images.grey)) {
+    return BadInput("the depth at " + ToString(images.timestamp) +
+                    " s is neither 16-bit nor float, or not of the picture's size");
+  }
   if (newest_ && images.timestamp <= *newest_) {
     return BadInput("the picture at " + ToString(images.timestamp) + " s is not later than the one before, at " +
                     ToString(*newest_) + " s");
   }
   newest_ = images.timestamp;
-  return pipeline_->Push(std::move(images));
+  const bool is_pushed = pipeline_->Push(std::move(images));
+  if (const Status fault = Fault(); !fault) return fault.error();
+  return is_pushed;
 }
 
 void Slam::Finish() { pipeline_->Finish(); }
+
+Status Slam::Fault() const { return pipeline_->Fault(); }
 
 MapSnapshot Slam::Snapshot() const { return pipeline_->Snapshot(); }
 

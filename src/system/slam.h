@@ -43,13 +43,16 @@ class Slam {
   /// Ends the threads; what was pushed and not yet worked off is dropped (call Finish first to keep it).
   ~Slam();
 
-  /// Hands over the next picture; its size must be the rig's and its time later than the one before (else bad input,
-  /// and the picture is left out). Inline: returns when all is done. Offline: waits for room. Live: never waits; false
-  /// when the picture was dropped.
+  /// Hands over the next picture; its size must be the rig's, its kind that of ImageSet, and its time later than the
+  /// one before (else bad input, and the picture is left out). Inline: returns when all is done. Offline: waits for
+  /// room. Live: never waits; false when the picture was dropped.
   Result<bool> Push(ImageSet images);
 
   /// Waits until everything pushed is worked off, and ends the threads. Push must not be called afterwards.
   void Finish();
+
+  /// Why a stage broke off (out of memory, say), after which Push fails; fine while all is well.
+  Status Fault() const;
 
   /// The newest map; never null, valid for as long as it is held.
   MapSnapshot Snapshot() const;
