@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "system/slam.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "system/pipeline.h"
+
+namespace yorb {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int kWidth = 160, kHeight = 120;
+
+Rig SmallRig() {
+  Rig rig;
+  rig.camera.width = kWidth;
+  rig.camera.height = kHeight;
+  rig.camera.fx = rig.camera.fy = 150;
+  rig.camera.cx = kWidth / 2.0;
+  rig.camera.cy = kHeight / 2.0;
+  rig.baseline_px = 12;
+  rig.depth_factor = 1000;
+  return rig;
+}
+
+ImageSet Picture(int index) {
+  ImageSet images;
+  images.timestamp = {index * int64_t{33'000'000}};
+  images.grey = cv::Mat(kHeight, kWidth, CV_8UC1);
+  Random random(5);
+  for (int i = 0; i < kWidth * kHeight; ++i) images.grey.data[i] = static_cast<uchar>(random.Below(256));
+  images.depth = {cv::Mat(kHeight, kWidth, CV_16UC1, cv::Scalar(2000)), 0.001};
+  return images;
+}
+
+std::string Refusal(const ImageSet& images) {
+  auto slam = Slam::Create(Config(), SmallRig());
+  if (!slam) return slam.error().message;
+  const auto pushed = (*slam)->Push(images);
+  return pushed ? "" : pushed.error().message;
+}
+
+TEST(Slam, RefusesWhatIsNoImageSet) {
+  EXPECT_EQ(Refusal(Picture(0)), "");
+  ImageSet coloured = Picture(0), bytes = Picture(0), small = Picture(0), without = Picture(0);
+  coloured.grey = cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar(0, 0, 0));
+  bytes.depth.pixels = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(2));
+  small.depth.pixels = cv::Mat(kHeight / 2, kWidth / 2, CV_16UC1, cv::Scalar(2000));
+  without.depth = {};
+  EXPECT_THAT(Refusal(coloured), HasSubstr("not 8-bit grey"));
+  EXPECT_THAT(Refusal(bytes), HasSubstr("neither 16-bit nor float"));
+  EXPECT_THAT(Refusal(small), HasSubstr("not of the picture's size"));
+  EXPECT_EQ(Refusal(without), "");
+}
+
+TEST(Slam, RefusesAConfigurationThatCannotWork) {
+  Config config;
+  config.features.wanted = -1;
+  const auto slam = Slam::Create(config, SmallRig());
+  ASSERT_FALSE(slam.ok());
+  EXPECT_THAT(slam.error().message, HasSubstr("features.wanted"));
+}
+
+class Pipelines : public testing::TestWithParam<Mode> {};
+INSTANTIATE_TEST_SUITE_P(Threaded, Pipelines, testing::Values(Mode::kOffline, Mode::kLive));
+
+TEST_P(Pipelines, AStageThatThrowsClosesAllStreamsAndSaysWhy) {
+  Config config;
+  config.features.wanted = -1;  // of which extraction makes a length that no vector has
+  Pipeline pipeline(config, SmallRig(), GetParam());
+  bool is_open = true;
+  for (int i = 0; i < 1000 && is_open; ++i) {
+    is_open = pipeline.Push(Picture(i)) || GetParam() == Mode::kLive;
+    if (GetParam() == Mode::kLive && !pipeline.Fault()) is_open = false;
+  }
+  pipeline.Finish();
+  ASSERT_FALSE(pipeline.Fault().ok());
+  EXPECT_EQ(pipeline.Fault().error().kind, Error::Kind::kFailure);
+  EXPECT_EQ(pipeline.num_frames_done(), 0u);
+}
+
+TEST_P(Pipelines, AreFineWhenAllIsWell) {
+  Pipeline pipeline(Config(), SmallRig(), GetParam());
+  EXPECT_TRUE(pipeline.Push(Picture(0)));
+  pipeline.Finish();
+  EXPECT_TRUE(pipeline.Fault().ok());
+  EXPECT_EQ(pipeline.num_frames_done(), 1u);
+}
+
+}  // namespace
+}  // namespace yorb
