@@ -21,8 +21,9 @@ function(yorb_options target)
   endif()
 endfunction()
 
-# yorb_tests(TARGET PREFIX): makes every TEST of a GoogleTest program a test of ctest, PREFIX.Suite.Name. Those of
-# YORB_THREADED_ROOMS and of the whole program (prefix "tests") have the label "threads".
+# yorb_tests(TARGET PREFIX): makes every TEST of a GoogleTest program a test of ctest, PREFIX.Suite.Name; of the tests of the
+# whole program (prefix "tests"), whose suites render a recording first, each suite's program is one. Those and the tests of
+# YORB_THREADED_ROOMS have the label "threads".
 add_custom_target(yorb_threaded_tests)
 function(yorb_tests target prefix)
   set(properties TIMEOUT 300)
@@ -30,7 +31,13 @@ function(yorb_tests target prefix)
     list(APPEND properties LABELS threads)
     add_dependencies(yorb_threaded_tests ${target})
   endif()
-  gtest_discover_tests(${target} TEST_PREFIX ${prefix}. DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  if(prefix STREQUAL "tests")
+    add_test(NAME tests.${target} COMMAND ${target})
+    set_tests_properties(tests.${target} PROPERTIES ${properties} TIMEOUT 1500 COST 1000
+                                                    SKIP_REGULAR_EXPRESSION "  PASSED  . 0 tests")
+  else()
+    gtest_discover_tests(${target} TEST_PREFIX ${prefix}. DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  endif()
 endfunction()
 
 # yorb_room(NAME DEPS targets...): one library from the folder's *.cc, one test program from its *_test.cc and one

@@ -44,14 +44,20 @@ class Program : public testing::Test {
   /// Starts the program with its output in files.
   static pid_t Start(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), YORB_PROGRAM);
-    const std::string out = In("stdout"), err = In("stderr");
+    // Opened before the fork: a signal may end the child before it does anything.
+    const int out = ::open(In("stdout").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    const int err = ::open(In("stderr").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     const pid_t child = ::fork();
-    if (child != 0) return child;
+    if (child != 0) {
+      ::close(out);
+      ::close(err);
+      return child;
+    }
     std::vector<char*> raw;
     for (std::string& argument : arguments) raw.push_back(argument.data());
     raw.push_back(nullptr);
-    ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
-    ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDERR_FILENO);
+    ::dup2(out, STDOUT_FILENO);
+    ::dup2(err, STDERR_FILENO);
     ::execv(raw[0], raw.data());
     ::_exit(99);
   }
