@@ -55,7 +55,7 @@ Result<std::vector<Setting>> SettingsOf(const SequenceArguments& options, const 
 
 Result<std::unique_ptr<Dataset>> Open(const std::string& folder, const SequenceArguments& options,
                                       const std::string& camera_text) {
-  if (!options.camera.empty() || camera_text.empty()) return OpenDataset(folder, options.camera);
+  if (options.camera || camera_text.empty()) return OpenDataset(folder, options.camera.value_or(""));
   const auto rig = ParseCameraFile(camera_text, options.config.value_or("") + ", group camera");
   if (!rig) return rig.error();
   return OpenDataset(folder, ChosenCamera{*rig, "of the config file", true});
@@ -84,6 +84,8 @@ void SequenceArguments::AddTo(CLI::App& command) {
 
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   OpenedSequence opened;
+  if (options.camera && options.camera->empty()) return BadInput("--camera is empty; give a file or a name");
+  if (options.config && options.config->empty()) return BadInput("--config is empty; give a file");
   const auto places = SortPlaces(options.places);
   if (!places) return places.error();
   opened.folder = places->folder;

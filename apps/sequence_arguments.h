@@ -17,8 +17,7 @@ namespace yorb {
 /// The options of every command that runs SLAM on a sequence, as they were written.
 struct SequenceArguments {
   std::vector<std::string> places;  ///< DIR, and further key=value after --set
-  std::string camera;               ///< empty: not given
-  std::optional<std::string> config;
+  std::optional<std::string> camera, config;
   std::vector<std::string> settings;  ///< of --set
   std::optional<std::string> mode, dynamics, seed, max_frames;
 

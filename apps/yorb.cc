@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
@@ -22,9 +23,7 @@
 namespace yorb {
 
 int Complain(const Error& error) {
-  std::string line = error.message;
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  std::fprintf(stderr, "yorb: %s\n", line.c_str());
+  std::fprintf(stderr, "yorb: %s\n", OneLine(error.message).c_str());
   return error.kind == Error::Kind::kBadInput ? kExitBadInput : kExitFailure;
 }
 
@@ -140,6 +139,13 @@ int CheckOutput(int code) {
   return Complain(Failure("standard output cannot be written; is the disk full?"));
 }
 
+/// Ends without the exit handlers of the libraries underneath: OpenBLAS waits there for its threads, without an end
+/// where the system gives them no memory (`ulimit -v`).
+[[noreturn]] void End(int code) {
+  std::fflush(nullptr);
+  std::_Exit(code);
+}
+
 }  // namespace
 }  // namespace yorb
 
@@ -147,8 +153,8 @@ int main(int argc, char** argv) {
   yorb::OpenMissingStreams();
   yorb::CalmLibraries();
   try {
-    return yorb::CheckOutput(yorb::ReadAndAct(argc, argv));
+    yorb::End(yorb::CheckOutput(yorb::ReadAndAct(argc, argv)));
   } catch (const std::exception& error) {
-    return yorb::Complain(yorb::FailureOf(error));
+    yorb::End(yorb::Complain(yorb::FailureOf(error)));
   }
 }

@@ -19,12 +19,15 @@ struct DepthImage {
 
   /// Metres along the optical axis at a pixel inside of the picture; 0 where nothing was measured.
   float At(int x, int y) const {
+    constexpr double kBeyondAnyCamera = 1e6;
+    double metres = 0;
     if (pixels.type() == CV_16UC1) {
       const uint16_t units = pixels.at<uint16_t>(y, x);
-      return units == 65535 ? 0.f : static_cast<float>(units * metres_per_unit);
+      metres = units == 65535 ? 0.0 : units * metres_per_unit;
+    } else {
+      metres = pixels.at<float>(y, x);
     }
-    const float metres = pixels.at<float>(y, x);
-    return std::isfinite(metres) && metres > 0 ? metres : 0.f;
+    return metres > 0 && metres < kBeyondAnyCamera ? static_cast<float>(metres) : 0.f;
   }
 };
 

@@ -30,6 +30,13 @@ TEST(DepthImage, FloatsAreMetresWhateverTheFactor) {
   for (int x = 1; x < 5; ++x) EXPECT_EQ(depth.At(x, 0), 0) << x;
 }
 
+TEST(DepthImage, WhatNoCameraCanSeeIsNotMeasured) {
+  const DepthImage absurd{cv::Mat(1, 1, CV_16UC1, cv::Scalar(5)), 1e300};
+  EXPECT_EQ(absurd.At(0, 0), 0);
+  const DepthImage far_away{cv::Mat(1, 1, CV_32FC1, cv::Scalar(1e30)), 1};
+  EXPECT_EQ(far_away.At(0, 0), 0);
+}
+
 TEST(DepthImage, IsEmptyWithoutPixels) { EXPECT_TRUE(DepthImage().empty()); }
 
 }  // namespace

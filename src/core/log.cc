@@ -48,7 +48,8 @@ spdlog::logger& Stderr(Log& log) {
   return *log.to_stderr;
 }
 
-void Write(Log& log, spdlog::level::level_enum level, const std::string& line) {
+void Write(Log& log, spdlog::level::level_enum level, const std::string& text) {
+  const std::string line = OneLine(text);
   if (level >= spdlog::level::warn) Stderr(log).log(level, line);
   if (level < spdlog::level::warn && log.to_stdout) log.to_stdout->log(level, line);
   if (log.to_file) log.to_file->log(level, line);

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/text.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
 namespace yorb {
@@ -74,18 +76,40 @@ std::string FromUtf16(const std::string& content) {
   return text;
 }
 
+Error CannotRead(const std::string& path, int reason) {
+  if (reason == ENOENT) return BadInput(path + " does not exist");
+  if (reason == EISDIR) return BadInput(path + " is a folder, a text file is expected");
+  return BadInput(path + " cannot be read: " + std::generic_category().message(reason));
+}
+
+/// All bytes of a file, or of a pipe. A named pipe that nobody writes to counts as empty: waiting for it has no end.
+Result<std::string> ReadBytes(const std::string& path) {
+  constexpr size_t kLargest = size_t{1} << 30, kPiece = size_t{1} << 18;
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+  if (file < 0) return CannotRead(path, errno);
+  ::fcntl(file, F_SETFL, O_RDONLY);  // one that somebody writes to is waited for
+  std::string content;
+  ssize_t count = 1;
+  while (count > 0 && content.size() <= kLargest) {
+    const size_t size = content.size();
+    content.resize(size + kPiece);
+    do count = ::read(file, &content[size], kPiece);
+    while (count < 0 && errno == EINTR);
+    content.resize(size + static_cast<size_t>(std::max<ssize_t>(count, 0)));
+  }
+  const int reason = errno;
+  ::close(file);
+  if (count < 0) return CannotRead(path, reason);
+  if (content.size() > kLargest) return BadInput(path + " is larger than 1 GiB, a text file is expected");
+  return content;
+}
+
 }  // namespace
 
 Result<std::string> ReadWholeText(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return BadInput(path + " is a folder, a text file is expected");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    const bool exists = std::filesystem::exists(path, ignored);
-    return BadInput(path + (exists ? " cannot be read; check its rights" : " does not exist"));
-  }
-  std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (stream.bad()) return BadInput(path + " cannot be read to its end");
+  auto read = ReadBytes(path);
+  if (!read) return read.error();
+  std::string content = *std::move(read);
   const std::string mark = content.substr(0, 2);
   if (mark == "\xff\xfe" || mark == "\xfe\xff") content = FromUtf16(content);
   if (content.find('\0') != std::string::npos) return BadInput(path + " is no text file: it holds zero bytes");
@@ -167,6 +191,23 @@ std::string FormatShortest(double value) {
   char buffer[64];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof(buffer), value);
   return error == std::errc() ? std::string(buffer, end) : std::string("0");
+}
+
+std::string OneLine(std::string_view text) {
+  constexpr size_t kMost = 2000, kHead = 1200, kTail = 600;
+  const auto is_inside_letter = [&](size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };
+  std::string line;
+  if (text.size() <= kMost) {
+    line = text;
+  } else {
+    size_t head = kHead, tail = text.size() - kTail;
+    while (head > kHead - 4 && is_inside_letter(head)) --head;
+    while (tail < text.size() - kTail + 4 && is_inside_letter(tail)) ++tail;
+    line.append(text.substr(0, head)).append(" ... ").append(text.substr(tail));
+  }
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  std::replace_if(line.begin(), line.end(), is_control, ' ');
+  return line;
 }
 
 size_t EditDistance(std::string_view a, std::string_view b) {

@@ -58,6 +58,10 @@ std::string FormatFixed(double value, int decimals);
 /// The shortest text that reads back as the same number, with a decimal point in every locale.
 std::string FormatShortest(double value);
 
+/// The text as one line of bearable length, for a complaint or a log: control characters become blanks, and the middle
+/// of more than 2000 bytes is left out.
+std::string OneLine(std::string_view text);
+
 /// How many letters must be put in, taken out or replaced to make one word the other.
 size_t EditDistance(std::string_view a, std::string_view b);
 

@@ -4,13 +4,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <clocale>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <thread>
 
 #include "core/random.h"
 
@@ -71,6 +75,44 @@ TEST_F(TextFiles, AreRefusedByNameWhereTheyAreNone) {
   EXPECT_EQ(ReadTextFile(missing).error().kind, Error::Kind::kBadInput);
   EXPECT_THAT(ReadTextFile(folder_.string()).error().message, HasSubstr("is a folder"));
   EXPECT_THAT(ReadTextFile(Write(std::string("1 2\0 3\n", 7))).error().message, HasSubstr("zero bytes"));
+}
+
+TEST_F(TextFiles, AreReadWholeFromAPipe) {  // as `--camera <(...)` hands them over
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::string many(300'000, 'x');
+  std::thread writer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (size_t done = 0; done < many.size();) {
+      const ssize_t count = ::write(ends[1], many.data() + done, many.size() - done);
+      if (count <= 0) break;
+      done += static_cast<size_t>(count);
+    }
+    ::close(ends[1]);
+  });
+  EXPECT_EQ(*ReadWholeText("/dev/fd/" + std::to_string(ends[0])), many);
+  writer.join();
+  ::close(ends[0]);
+}
+
+TEST_F(TextFiles, AreNotWaitedForWhereNobodyWrites) {
+  const std::string pipe = (folder_ / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(*ReadWholeText(pipe), "");
+}
+
+TEST(Text, OneLineHasNoControlCharactersAndABearableLength) {
+  EXPECT_EQ(OneLine("a\nb\tc\x1b[1m"), "a b c [1m");
+  EXPECT_EQ(OneLine("Küche 測定"), "Küche 測定");
+  std::string letters;
+  for (int i = 0; i < 4000; ++i) letters += "ü";
+  for (const std::string& text : {letters, "x" + letters, letters + "x"}) {
+    const std::string line = OneLine(text);
+    EXPECT_LE(line.size(), 2000u);
+    for (const char c : line) EXPECT_TRUE(c == 'x' || c == ' ' || c == '.' || (c & 0x80)) << c;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\xc3'), std::count(line.begin(), line.end(), '\xbc'))
+        << "whole letters";
+  }
 }
 
 TEST(Text, TrimTakesBlanksAndLineEndsFromBothEnds) {

@@ -93,8 +93,10 @@ TEST(Time, WhatIsPrintedReadsBackTheSame) {
   }
 }
 
-TEST(Time, DifferencesAreTakenBeforeRounding) {
-  EXPECT_EQ(SecondsBetween(Timestamp{1305031102175304000}, Timestamp{1305031102175304001}), 1e-9);
+TEST(Time, DifferencesAreTakenBeforeRoundingAndCountMicroseconds) {
+  EXPECT_EQ(SecondsBetween(Timestamp{1305031102175304000}, Timestamp{1305031102175305000}), 1e-6);
+  EXPECT_EQ(SecondsBetween(Timestamp{1305031102175304000}, Timestamp{1305031102175304499}), 0);
+  EXPECT_EQ(SecondsBetween(Timestamp{1305031102175304499}, Timestamp{1305031102175304000}), 0);
   EXPECT_DOUBLE_EQ(SecondsBetween(Timestamp{1305031103000000000}, Timestamp{1305031102000000000}), -1.0);
 }
 

@@ -77,12 +77,16 @@ std::string CameraOfFolderName(const std::string& folder) {
 }
 
 Status CheckLayout(const std::string& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder, ignored)) return BadInput("folder " + folder + " does not exist");
-  if (!fs::is_directory(folder, ignored)) {
+  if (folder.empty()) return BadInput("the name of the folder is empty; give the folder of the recording");
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (status.type() == fs::file_type::not_found) return BadInput("folder " + folder + " does not exist");
+  if (status.type() != fs::file_type::directory && !error) {
     return BadInput(folder + " is a file; give the folder of the recording (unpack archives first)");
   }
-  if (HasTumLayout(folder)) return Status::Ok();
+  if (!error && HasTumLayout(folder)) return Status::Ok();
+  if (!error) fs::directory_iterator(folder, error);  // may it be looked into?
+  if (error) return BadInput("folder " + folder + " cannot be read: " + error.message());
   return BadInput(folder + " holds neither rgb.txt (with depth.txt) nor associations.txt" + HintAt(folder));
 }
 

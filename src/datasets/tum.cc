@@ -24,6 +24,11 @@ bool IsFile(const std::string& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+bool Exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
 std::string In(const std::string& folder, const char* name) { return (fs::path(folder) / name).string(); }
 
 std::string RangeOf(const std::vector<Timestamp>& times) {
@@ -33,10 +38,10 @@ std::string RangeOf(const std::vector<Timestamp>& times) {
 
 /// associations.txt, or the other names that it goes by where there is no rgb.txt; empty if none is there.
 std::string AssociationsFile(const std::string& folder) {
-  if (fs::exists(In(folder, "associations.txt"))) return In(folder, "associations.txt");
-  if (fs::exists(In(folder, "rgb.txt"))) return "";
+  if (Exists(In(folder, "associations.txt"))) return In(folder, "associations.txt");
+  if (Exists(In(folder, "rgb.txt"))) return "";
   for (const char* name : {"associate.txt", "association.txt", "associated.txt"}) {
-    if (fs::exists(In(folder, name))) return In(folder, name);
+    if (Exists(In(folder, name))) return In(folder, name);
   }
   return "";
 }
@@ -166,7 +171,7 @@ size_t TumLists::NumWithDepth() const {
 }
 
 bool HasTumLayout(const std::string& folder) {
-  return !AssociationsFile(folder).empty() || fs::exists(In(folder, "rgb.txt"));
+  return !AssociationsFile(folder).empty() || Exists(In(folder, "rgb.txt"));
 }
 
 Result<TumLists> ReadTumLists(const std::string& folder) {
@@ -182,8 +187,9 @@ Status LookForFiles(const TumLists& lists) {
     if (first == pictures.end()) continue;
     const auto num_missing = std::count_if(first, pictures.end(), is_missing);
     const std::string how_many = std::to_string(num_missing) + " of the " + std::to_string(pictures.size());
-    return BadInput(first->path + " is missing (" + list->file + ", line " + std::to_string(first->line) + "); " +
-                    how_many + " files that the list names are not there" + WithAnotherEnding(first->path));
+    const char* const what = Exists(first->path) ? " is no file (" : " is missing (";
+    return BadInput(first->path + what + list->file + ", line " + std::to_string(first->line) + "); " + how_many +
+                    " files that the list names are not there" + WithAnotherEnding(first->path));
   }
   return Status::Ok();
 }

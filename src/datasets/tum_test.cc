@@ -178,6 +178,16 @@ TEST_F(Recording, FoldersWithoutListsAreRefusedWithAHint) {
   EXPECT_THAT(Complaint("euroc"), HasSubstr("EuRoC"));
 }
 
+TEST_F(Recording, FoldersThatCannotBeLookedIntoAreRefused) {
+  const std::string endless(5000, 'x');  // as good as one without rights, which root does not know
+  EXPECT_FALSE(HasTumLayout(endless));
+  const auto opened = OpenDataset(endless, "tum_fr1");
+  ASSERT_FALSE(opened.ok());
+  EXPECT_EQ(opened.error().kind, Error::Kind::kBadInput);
+  EXPECT_THAT(opened.error().message, testing::HasSubstr("cannot be read"));
+  EXPECT_THAT(OpenDataset("", "tum_fr1").error().message, testing::HasSubstr("is empty"));
+}
+
 TEST_F(Recording, LoadsAlikeFromManyThreads) {
   const auto dataset = Open();
   std::vector<std::thread> threads;

@@ -110,7 +110,8 @@ void LogSummary(const RunSummary& summary) {
 /// A run that ended before its first frame leaves an older one's results alone.
 bool ShouldSave(const Run& run, const FeedLog& fed) {
   if (!fed.fates.empty()) return true;
-  return !fed.error && !std::filesystem::exists(InRunFolder(run.out, "trajectory.txt"));
+  std::error_code ignored;
+  return !fed.error && !std::filesystem::exists(InRunFolder(run.out, "trajectory.txt"), ignored);
 }
 
 /// Everything from the first frame to the last file.
