@@ -93,11 +93,16 @@ LandmarkId Map::Resolve(LandmarkId id) const {
   return id;
 }
 
+const Map::Past* Map::FindPast(KeyframeId id) const {
+  const Past* past = id.IsValid() ? past_.Find(Id<Past>(id.value())) : nullptr;
+  return past && past->parent.IsValid() ? past : nullptr;
+}
+
 std::optional<Rigid3> Map::CamFromWorld(KeyframeId id) const {
   Rigid3 cam_from_ancestor;
-  for (auto gone = removed_.find(id); gone != removed_.end(); gone = removed_.find(id)) {
-    cam_from_ancestor = cam_from_ancestor * gone->second.cam_from_parent_cam;
-    id = gone->second.parent;
+  for (const Past* gone = FindPast(id); gone; gone = FindPast(id)) {
+    cam_from_ancestor = cam_from_ancestor * gone->cam_from_parent_cam;
+    id = gone->parent;
   }
   const Keyframe* keyframe = Find(id);
   if (!keyframe) return std::nullopt;
@@ -117,7 +122,7 @@ std::vector<LandmarkId> Map::SeenBy(const std::vector<KeyframeId>& keyframes) co
 }
 
 KeyframeId Map::Surviving(KeyframeId id) const {
-  for (auto gone = removed_.find(id); gone != removed_.end(); gone = removed_.find(id)) id = gone->second.parent;
+  for (const Past* gone = FindPast(id); gone; gone = FindPast(id)) id = gone->parent;
   return id;
 }
 
@@ -125,7 +130,7 @@ MapSnapshot Map::Snapshot() {
   auto snapshot = std::make_shared<Map>();
   snapshot->keyframes_ = keyframes_.Share();
   snapshot->landmarks_ = landmarks_.Share();
-  snapshot->removed_ = removed_;
+  snapshot->past_ = past_.Share();
   snapshot->merged_into_ = merged_into_;
   snapshot->newest_keyframe_ = newest_keyframe_;
   return snapshot;
@@ -138,6 +143,8 @@ KeyframeId Map::AddKeyframe(FramePtr frame, const Rigid3& cam_from_world, Keyfra
   keyframe.landmarks.resize(frame->size());
   keyframe.frame = std::move(frame);
   newest_keyframe_ = keyframes_.Add(std::move(keyframe));
+  past_.Add({});
+  ForgetOldMerges();
   if (parent.IsValid()) SetParent(newest_keyframe_, parent);
   return newest_keyframe_;
 }
@@ -188,6 +195,7 @@ void Map::Merge(LandmarkId from, LandmarkId into) {
   for (const LandmarkView& view : leaving.views) Observe(into, view.keyframe, view.index);
   Count(into, leaving.num_visible, leaving.num_found);
   merged_into_.emplace(from, into);
+  merges_.push_back({from, newest_keyframe_});
   Refresh(into);
 }
 
@@ -206,7 +214,8 @@ void Map::Remove(KeyframeId id) {
   AdoptChildren(leaving);
   auto& siblings = keyframes_.Writable(leaving.parent).children;
   siblings.erase(std::find(siblings.begin(), siblings.end(), id));
-  removed_[id] = {leaving.parent, leaving.cam_from_world * Find(leaving.parent)->cam_from_world.Inverse()};
+  past_.Writable(Id<Past>(id.value())) = {leaving.parent,
+                                          leaving.cam_from_world * Find(leaving.parent)->cam_from_world.Inverse()};
   keyframes_.Remove(id);
   while (newest_keyframe_ == id || !Find(newest_keyframe_)) newest_keyframe_ = KeyframeId(newest_keyframe_.value() - 1);
 }
@@ -242,6 +251,13 @@ void Map::Count(LandmarkId id, int visible, int found) {
   Landmark& landmark = landmarks_.Writable(id);
   landmark.num_visible += visible;
   landmark.num_found += found;
+}
+
+void Map::ForgetOldMerges() {
+  while (!merges_.empty() && merges_.front().newest_keyframe.value() + kMergesRemembered < newest_keyframe_.value()) {
+    merged_into_.erase(merges_.front().from);
+    merges_.pop_front();
+  }
 }
 
 void Map::Link(KeyframeId a, KeyframeId b, int change) {

@@ -5,6 +5,7 @@
 // Runs on: writing methods on the mapper's thread alone; a snapshot on any. May not: match, optimise, start threads.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,7 +30,8 @@ class Map {
   const Keyframe* Find(KeyframeId id) const { return keyframes_.Find(id); }
   const Landmark* Find(LandmarkId id) const { return landmarks_.Find(id); }
 
-  /// The landmark that this one was merged into, or itself.
+  /// The landmark that this one was merged into, or itself. Merges are remembered for as long as somebody may hold the
+  /// old id: for some keyframes, kMergesRemembered.
   LandmarkId Resolve(LandmarkId id) const;
 
   /// The pose of a keyframe that is there or was removed; nothing for ids that never were.
@@ -91,20 +93,31 @@ class Map {
   /// Adds to the counts of a landmark, if it is still there.
   void Count(LandmarkId id, int visible, int found);
 
+  /// A tracker that has seen the last keyframes but so many may hold ids that were merged since.
+  static constexpr uint32_t kMergesRemembered = 20;
+
  private:
-  struct Removed {
-    KeyframeId parent;
+  /// What stays of a keyframe: a row each, so that snapshots share them.
+  struct Past {
+    KeyframeId parent;  ///< not valid while the keyframe is there
     Rigid3 cam_from_parent_cam;
   };
+  struct MergeRecord {
+    LandmarkId from;
+    KeyframeId newest_keyframe;  ///< of that time
+  };
 
+  const Past* FindPast(KeyframeId id) const;
+  void ForgetOldMerges();
   void Link(KeyframeId a, KeyframeId b, int change);
   void AdoptChildren(const Keyframe& leaving);
   void SetParent(KeyframeId child, KeyframeId parent);
 
   PagedTable<Keyframe> keyframes_;
   PagedTable<Landmark> landmarks_;
-  std::unordered_map<KeyframeId, Removed> removed_;
+  PagedTable<Past> past_;
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;
+  std::deque<MergeRecord> merges_;  ///< in the order of time; the writer's alone
   KeyframeId newest_keyframe_;
 };
 

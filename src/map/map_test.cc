@@ -74,6 +74,44 @@ TEST(Map, NeighboursCountTheLandmarksThatBothSee) {
   EXPECT_EQ(neighbours[0].weight, static_cast<int>(shared));
 }
 
+/// Keyframes of one picture in one place, each with landmarks of its own that are merged into those of the first.
+TEST(Map, WhatWasMergedIsForgottenWhenNobodyCanAskForIt) {
+  Map map;
+  const auto view = SyntheticWorld(1).Look(CameraAt(0), FrameId(0), Timestamp{0});
+  const KeyframeId first = map.AddKeyframe(view.frame, CameraAt(0), KeyframeId());
+  std::vector<LandmarkId> firm;
+  for (uint32_t i = 0; i < 10; ++i) firm.push_back(map.AddLandmark({0, 0, 1.0 + i}, first, i));
+  std::vector<LandmarkId> merged;
+  const int num_keyframes = 3 * static_cast<int>(Map::kMergesRemembered);
+  for (int k = 0; k < num_keyframes; ++k) {
+    const KeyframeId id = map.AddKeyframe(view.frame, CameraAt(0), first);
+    const LandmarkId own = map.AddLandmark({0, 0, 1.0 + k % 10}, id, static_cast<uint32_t>(k % 10));
+    map.Merge(own, firm[static_cast<size_t>(k % 10)]);
+    merged.push_back(own);
+  }
+  const MapSnapshot snapshot = map.Snapshot();
+  for (int k = 0; k < num_keyframes; ++k) {
+    const bool is_young = k >= num_keyframes - 1 - static_cast<int>(Map::kMergesRemembered);
+    const LandmarkId own = merged[static_cast<size_t>(k)];
+    EXPECT_EQ(snapshot->Resolve(own), is_young ? firm[static_cast<size_t>(k % 10)] : own) << k;
+  }
+  EXPECT_EQ(snapshot->Check(), "");
+}
+
+TEST(Map, ASnapshotKnowsTheKeyframesThatWereThenRemoved) {
+  Built built = Build(6);
+  built.map.Remove(built.keyframes[2]);
+  const MapSnapshot before = built.map.Snapshot();
+  built.map.Remove(built.keyframes[3]);
+  EXPECT_EQ(before->Surviving(built.keyframes[3]), built.keyframes[3]);
+  EXPECT_EQ(built.map.Surviving(built.keyframes[3]), built.keyframes[1]);
+  for (const size_t k : {2u, 3u}) {
+    EXPECT_NEAR(built.map.CamFromWorld(built.keyframes[k])->translation.x(), -0.1 * static_cast<double>(k), 1e-12);
+  }
+  EXPECT_FALSE(built.map.CamFromWorld(KeyframeId(6)).has_value());
+  EXPECT_FALSE(built.map.CamFromWorld(KeyframeId()).has_value());
+}
+
 TEST(Map, SnapshotNeverChanges) {
   Built built = Build(4);
   const MapSnapshot before = built.map.Snapshot();
