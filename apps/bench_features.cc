@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "apps/signals.h"
+#include "core/files.h"
 #include "experiments/features.h"
+#include "experiments/features_figures.h"
 #include "system/config_io.h"
 
 namespace yorb {
@@ -43,6 +45,19 @@ Result<FeatureOptions> FeatureOptionsOf(const FeaturesArguments& arguments) {
   return config->features;
 }
 
+/// Figures of every set, and the report as text and JSON.
+Status WriteResults(const std::string& folder, const std::vector<PictureSet>& sets, const FeatureOptions& features,
+                    const std::vector<FeaturesReport>& reports) {
+  std::vector<FileToWrite> files = {{folder + "/features.txt", FeaturesText(reports)},
+                                    {folder + "/features.json", FeaturesJson(reports)}};
+  for (const PictureSet& set : sets) {
+    const auto figures = FeatureFigures(set, features, folder);
+    if (!figures) return figures.error();
+    files.insert(files.end(), figures->begin(), figures->end());
+  }
+  return WriteFilesTogether(files);
+}
+
 int BenchFeatures(const FeaturesArguments& arguments) {
   CatchSignals();
   FeaturesBenchOptions options;
@@ -62,6 +77,11 @@ int BenchFeatures(const FeaturesArguments& arguments) {
     auto report = MeasureFeatures(set, options);
     if (!report) return Complain(report.error());
     reports.push_back(*std::move(report));
+  }
+  if (!arguments.out.empty()) {
+    if (const Status written = WriteResults(arguments.out, sets, options.features, reports); !written) {
+      return Complain(written.error());
+    }
   }
   std::fputs((arguments.wants_json ? FeaturesJson(reports) : FeaturesText(reports)).c_str(), stdout);
   return ExitCodeAfterSignal(kExitDone);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 
 namespace yorb {
 namespace {
@@ -94,20 +96,96 @@ void CornerDetector::ChooseStrongest(const std::vector<Corner>& found, size_t co
   for (size_t i = 0; i < count; ++i) classes_[rest_[i]] = Class::kChosen;
 }
 
+void CornerDetector::MeasureStrength(const std::vector<Corner>& found, const GreyView& level, int border) {
+  const CellAxis columns(level.width, border), rows(level.height, border);
+  struct Sums {
+    float scores = 0, squares = 0;
+  };
+  std::vector<Sums> sums(static_cast<size_t>(columns.count * rows.count));
+  cells_.clear();
+  for (const Corner& corner : found) {
+    const int cell = (corner.y - border) / rows.size * columns.count + (corner.x - border) / columns.size;
+    cells_.push_back(static_cast<uint32_t>(cell));
+    Sums& sum = sums[static_cast<size_t>(cell)];
+    sum.scores += static_cast<float>(corner.score);
+    sum.squares += static_cast<float>(corner.score * corner.score);
+  }
+  // The mean score of a cell and its eight neighbours, each corner weighted by its score: the weak ones, which come and
+  // go with the light, hardly count.
+  std::vector<float> typical(sums.size());
+  for (int row = 0; row < rows.count; ++row) {
+    for (int column = 0; column < columns.count; ++column) {
+      Sums around;
+      for (int y = std::max(0, row - 1); y <= std::min(rows.count - 1, row + 1); ++y) {
+        for (int x = std::max(0, column - 1); x <= std::min(columns.count - 1, column + 1); ++x) {
+          const Sums& sum = sums[static_cast<size_t>(y * columns.count + x)];
+          around.scores += sum.scores, around.squares += sum.squares;
+        }
+      }
+      typical[static_cast<size_t>(row * columns.count + column)] =
+          around.squares > 0 ? around.scores / around.squares : 1.f;
+    }
+  }
+  strength_.clear();
+  for (size_t i = 0; i < found.size(); ++i) {
+    strength_.push_back(static_cast<float>(found[i].score) * typical[cells_[i]]);
+  }
+}
+
+void CornerDetector::ChooseByStrength(const std::vector<Corner>& found, const GreyView& level,
+                                      const CornerOptions& options, size_t enough, Instructions instructions) {
+  MeasureStrength(found, level, options.border);
+  ranks_.clear();
+  for (size_t i = 0; i < found.size(); ++i) {
+    uint32_t bits;  // of positive floats rise with their value
+    std::memcpy(&bits, &strength_[i], sizeof bits);
+    ranks_.push_back(uint64_t{bits} << 32 | (UINT32_MAX - static_cast<uint32_t>(i)));
+  }
+  const size_t asked =
+      std::min(found.size(), static_cast<size_t>(static_cast<double>(enough) * std::max(1.0, options.choice)));
+  std::nth_element(ranks_.begin(), ranks_.begin() + static_cast<ptrdiff_t>(asked), ranks_.end(), std::greater<>());
+  ranks_.resize(asked);
+  std::sort(ranks_.begin(), ranks_.end(), std::greater<>());
+  const Thresholds thresholds(options);
+  classes_.assign(found.size(), Class::kNoise);
+  rest_.clear();
+  for (const uint64_t rank : ranks_) {
+    const uint32_t i = UINT32_MAX - static_cast<uint32_t>(rank);
+    const bool passes =
+        thresholds.PassesSecond(found[i].score, TrimmedRingSum(level, found[i].x, found[i].y, instructions));
+    if (passes) classes_[i] = Class::kChosen;
+    if (!passes) rest_.push_back(i);
+  }
+  const size_t chosen = ranks_.size() - rest_.size();
+  for (size_t k = 0; k < rest_.size() && chosen + k < enough; ++k) classes_[rest_[k]] = Class::kChosen;
+}
+
+/// Those that are chosen, ranked by `strength_`.
+void CornerDetector::TakeCorners(const std::vector<Corner>& found) {
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (classes_[i] != Class::kChosen) continue;
+    corners_.push_back(found[i]);
+    corners_.back().response = strength_[i];
+  }
+}
+
 const std::vector<Corner>& CornerDetector::Detect(const GreyView& level, const CornerOptions& options, int enough,
                                                   Instructions instructions) {
   corners_.clear();
   const int lowest = options.is_adaptive ? options.noise : std::min(options.low, options.high);
   const std::vector<Corner>& found = fast_.Detect(level, {lowest, options.arc, options.border}, instructions);
   if (found.empty()) return corners_;
-  Classify(found, level, options, instructions);
-  const size_t chosen = ChooseByCells(found, level, options.border), wanted = static_cast<size_t>(std::max(enough, 0));
-  if (options.is_adaptive && chosen < wanted) ChooseStrongest(found, wanted - chosen);
-  for (size_t i = 0; i < found.size(); ++i) {
-    if (classes_[i] != Class::kChosen) continue;
-    corners_.push_back(found[i]);
-    corners_.back().response = static_cast<float>(found[i].score);
+  const size_t wanted = static_cast<size_t>(std::max(enough, 0));
+  if (options.is_adaptive && options.choice > 0) {
+    ChooseByStrength(found, level, options, wanted, instructions);
+  } else {
+    Classify(found, level, options, instructions);
+    const size_t chosen = ChooseByCells(found, level, options.border);
+    if (options.is_adaptive && chosen < wanted) ChooseStrongest(found, wanted - chosen);
+    strength_.clear();
+    for (const Corner& corner : found) strength_.push_back(static_cast<float>(corner.score));
   }
+  TakeCorners(found);
   return corners_;
 }
 

@@ -15,13 +15,19 @@ struct CornerOptions {
   double alpha = 0.7;       ///< the first threshold is alpha times the trimmed mean of the ring: equation (3)
   double alpha_low = 0.07;  ///< the second one, of the same kind
   int noise = 4;            ///< grey levels that a corner must exceed under any light; adaptive
-  int arc = 9;              ///< contiguous ring pixels that make a corner
-  int border = 19;          ///< pixels that stay empty along the edges
+  /// The candidates are so many times the corners asked for, the strongest for their neighbourhood that pass the second
+  /// threshold; 0: two thresholds cell by cell. Adaptive only.
+  double choice = 1.2;
+  int arc = 9;      ///< contiguous ring pixels that make a corner
+  int border = 19;  ///< pixels that stay empty along the edges
 };
 
 /// FAST with two thresholds: a cell of about 30 px in which the first one finds nothing gets the corners of the second.
 /// Where that leaves fewer than `enough` corners, the strongest of all others join them, so that no picture starves
 /// (adaptive only: the fixed thresholds stay as ORB-SLAM2 has them).
+/// With `choice` the first threshold is not asked, as which cells it leaves empty changes with every additive light,
+/// and with that the corners themselves. The candidates are then the strongest for their neighbourhood: light that
+/// scales the contrast of a part of the picture changes neither their number nor which they are.
 class CornerDetector {
  public:
   /// Row by row, left to right. The result lives until the next call.
@@ -40,12 +46,18 @@ class CornerDetector {
                 Instructions instructions);
   size_t ChooseByCells(const std::vector<Corner>& found, const GreyView& level, int border);
   void ChooseStrongest(const std::vector<Corner>& found, size_t count);
+  void MeasureStrength(const std::vector<Corner>& found, const GreyView& level, int border);
+  void ChooseByStrength(const std::vector<Corner>& found, const GreyView& level, const CornerOptions& options,
+                        size_t enough, Instructions instructions);
+  void TakeCorners(const std::vector<Corner>& found);
 
   Fast fast_;
   std::vector<Class> classes_;          ///< of each corner of the score map
   std::vector<uint32_t> cells_;         ///< of each corner of the score map
   std::vector<uint32_t> column_cells_;  ///< of each x
   std::vector<uint8_t> has_first_;      ///< whether the first threshold finds anything in a cell
+  std::vector<float> strength_;         ///< of each corner of the score map, beside its neighbourhood
+  std::vector<uint64_t> ranks_;         ///< strength and index of a corner in one number: the stronger the larger
   std::vector<uint32_t> rest_;          ///< indices of corners that are not chosen
   std::vector<Corner> corners_;
 };

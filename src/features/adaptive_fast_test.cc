@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "features/test_pictures.h"
 
@@ -25,10 +27,9 @@ cv::Mat Scaled(const cv::Mat& picture, double gain) {
   return scaled;
 }
 
-size_t CountFirst(const cv::Mat& picture, CornerOptions options) {
-  options.alpha_low = options.alpha, options.low = options.high;
+size_t CountFirst(const cv::Mat& picture, const CornerOptions& options) {
   CornerDetector detector;
-  return detector.Detect(Padded(picture).View(), options, 0, BestInstructions()).size();
+  return detector.DetectFirst(Padded(picture).View(), options, BestInstructions()).size();
 }
 
 TEST(CornerDetector, AdaptiveThresholdHoldsTheCountUnderScaledLight) {
@@ -50,7 +51,7 @@ TEST(CornerDetector, AdaptiveThresholdHoldsTheCountUnderScaledLight) {
 
 TEST(CornerDetector, FirstThresholdIsEquationThree) {
   CornerOptions options;
-  options.alpha_low = options.alpha = 0.35;
+  options.alpha = 0.35;
   const GreyImage image = Padded(RectanglesPicture(320, 240, 2));
   CornerDetector detector;
   Fast fast;
@@ -59,7 +60,7 @@ TEST(CornerDetector, FirstThresholdIsEquationThree) {
   std::erase_if(expected, [&](const Corner& c) {
     return c.score + 1 <= 0.35 * TrimmedRingSum(image.View(), c.x, c.y, Instructions::kPortable) / 14;
   });
-  const std::vector<Corner>& found = detector.Detect(image.View(), options, 0, BestInstructions());
+  const std::vector<Corner>& found = detector.DetectFirst(image.View(), options, BestInstructions());
   ASSERT_GT(expected.size(), 50u);
   EXPECT_NEAR(static_cast<double>(found.size()), static_cast<double>(expected.size()), 1)
       << "alpha is rounded to 1/4096";
@@ -88,6 +89,7 @@ TEST(CornerDetector, AStarvedPictureGetsItsStrongestCorners) {
   picture = picture * 0.15 + 200;
   const GreyImage image = Padded(picture);
   CornerOptions options;
+  options.choice = 0;
   CornerDetector detector;
   const size_t alone = detector.Detect(image.View(), options, 0, BestInstructions()).size();
   const std::vector<Corner>& filled = detector.Detect(image.View(), options, 130, BestInstructions());
@@ -96,6 +98,45 @@ TEST(CornerDetector, AStarvedPictureGetsItsStrongestCorners) {
   for (const Corner& c : filled) EXPECT_GE(c.score, options.noise);
   EXPECT_TRUE(std::is_sorted(filled.begin(), filled.end(),
                              [](const Corner& a, const Corner& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }));
+}
+
+TEST(CornerDetector, TheStrongestForTheirNeighbourhoodStayInHalfALight) {
+  const cv::Mat picture = RectanglesPicture(640, 480, 4, 0);
+  cv::Mat half = picture.clone();
+  half.colRange(0, 320) *= 0.4;
+  CornerOptions by_strength, by_cells, fixed;
+  by_cells.choice = 0;
+  fixed.is_adaptive = false;
+  CornerDetector detector;
+  const auto best = [&](const cv::Mat& grey, const CornerOptions& options) {
+    std::vector<Corner> corners = detector.Detect(Padded(grey).View(), options, 200, BestInstructions());
+    const size_t count = std::min<size_t>(200, corners.size());
+    std::partial_sort(corners.begin(), corners.begin() + static_cast<ptrdiff_t>(count), corners.end(),
+                      [](const Corner& a, const Corner& b) { return a.response > b.response; });
+    std::set<std::pair<int, int>> places;
+    for (size_t i = 0; i < count; ++i) places.emplace(corners[i].x, corners[i].y);
+    return places;
+  };
+  const auto share_kept = [&](const CornerOptions& options) {
+    const auto before = best(picture, options), after = best(half, options);
+    size_t kept = 0;
+    for (const auto& place : before) kept += after.count(place);
+    return static_cast<double>(kept) / static_cast<double>(before.size());
+  };
+  EXPECT_GT(share_kept(by_strength), 0.8);
+  EXPECT_LT(share_kept(by_cells), 0.7);
+  EXPECT_LT(share_kept(fixed), 0.7);
+}
+
+TEST(CornerDetector, AsksForAsManyCornersInAnyLight) {
+  const cv::Mat picture = RectanglesPicture(640, 480, 5) * 0.7;
+  CornerDetector detector;
+  for (const double gain : {0.3, 1.0, 1.4}) {
+    const auto& corners = detector.Detect(Padded(Scaled(picture, gain)).View(), {}, 200, BestInstructions());
+    EXPECT_GE(corners.size(), 200u) << gain;
+    EXPECT_LE(corners.size(), 240u) << gain;
+    EXPECT_TRUE(std::all_of(corners.begin(), corners.end(), [](const Corner& c) { return c.response > 0; }));
+  }
 }
 
 }  // namespace

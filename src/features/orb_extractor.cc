@@ -37,6 +37,7 @@ CornerOptions CornersOf(const FeatureOptions& options) {
   corners.low = options.fixed_threshold_low;
   corners.alpha = options.alpha;
   corners.alpha_low = options.alpha_low;
+  corners.choice = options.choice;
   corners.noise = options.noise_threshold;
   corners.arc = options.fast_arc;
   corners.border = kFeatureBorder;

@@ -15,7 +15,9 @@
 
 namespace yorb {
 
-/// Options of the ORB extractor; YAML group `features`.
+/// Options of the ORB extractor; YAML group `features`. With `choice` the adaptive detector's candidates are the
+/// corners that are the strongest for their neighbourhood and pass the second threshold; without, the first threshold
+/// decides cell by cell, and the second where a cell finds nothing, as in the paper.
 struct FeatureOptions {
   int wanted = 1000;                      ///< points a picture that tracking gets
   double over_extraction = 1.0;           ///< how many times `wanted` is extracted, so that enough remain after removal
@@ -30,6 +32,7 @@ struct FeatureOptions {
   double alpha = 0.7;                     ///< of equation (3); detector adaptive
   double alpha_low = 0.07;                ///< of the second threshold, where a cell finds nothing; detector adaptive
   int noise_threshold = 4;                ///< grey levels every corner must exceed; detector adaptive
+  double choice = 1.2;                    ///< candidates for each wanted point; 0: cell by cell; detector adaptive
   bool subpixel = false;                  ///< refines the place of a corner by a parabola through the scores around it
 
   template <typename Self, typename Visitor>
@@ -47,6 +50,7 @@ struct FeatureOptions {
     visit("alpha", self.alpha, Range(0.01, 5));
     visit("alpha_low", self.alpha_low, Range(0, 5));
     visit("noise_threshold", self.noise_threshold, Range(1, 254));
+    visit("choice", self.choice, Range(0, 20));
     visit("subpixel", self.subpixel, AnyValue());
   }
 };
