@@ -70,12 +70,20 @@ class Flattener {
       file_.camera_text = YAML::Dump(value) + "\n";
       return Status::Ok();
     }
-    if (value.IsMap()) return Group(value, key + ".");
+    if (value.IsMap() && IsGroup(key)) return Group(value, key + ".");
+    if (value.IsMap()) return UnknownGroup(key, value, origin);  // and not walked into: an alias may lead back to it
     if (value.IsSequence()) return BadInput(origin + ": " + key + " is a list; one value is expected");
     if (value.IsNull() && IsGroup(key)) return Status::Ok();  // a group whose keys are all commented out
     if (!value.IsScalar()) return BadInput(origin + ": " + key + " has no value");
     file_.settings.push_back({key, value.Scalar(), origin});
     return Status::Ok();
+  }
+
+  /// Named by its first key, which says best what was meant.
+  static Status UnknownGroup(const std::string& key, const YAML::Node& group, const std::string& origin) {
+    const auto first = group.begin();
+    const bool is_named = first != group.end() && first->first.IsScalar();
+    return UnknownKey({is_named ? key + "." + first->first.Scalar() : key, "", origin});
   }
 
   std::string path_;

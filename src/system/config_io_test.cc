@@ -140,6 +140,19 @@ TEST_F(ConfigIo, WrongShapesAreRefused) {
   EXPECT_THAT(SetComplaint("=3"), HasSubstr("key=value"));
 }
 
+TEST_F(ConfigIo, GroupsThatLeadBackToThemselvesOrMultiplyEnd) {
+  EXPECT_THAT(Complaint("a: &a {b: *a}\n"), HasSubstr("a.b is no known key"));
+  EXPECT_THAT(Complaint("features: &a {wanted: 900, features: *a}\n"),
+              HasSubstr("features.features.wanted is no known"));
+  std::string laughs = "a: &a {x: 1}\n";
+  for (char group = 'b'; group < 'l'; ++group) {
+    laughs += std::string(1, group) + ": &" + group + " {";
+    for (int i = 0; i < 9; ++i) laughs += "k" + std::to_string(i) + ": *" + static_cast<char>(group - 1) + ", ";
+    laughs += "}\n";
+  }
+  EXPECT_THAT(Complaint(laughs), HasSubstr("a.x is no known key"));
+}
+
 TEST_F(ConfigIo, MissingFilesAndFoldersAreRefusedByName) {
   EXPECT_THAT(ReadConfigFile("no_such.yaml").error().message, HasSubstr("no_such.yaml does not exist"));
   EXPECT_THAT(ReadConfigFile(folder_.string()).error().message, HasSubstr("is a folder"));
