@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 start=$(date +%s)
-for step in format-check layers headers werror install-check asan tsan tidy; do
+for step in format-check layers headers werror install-check asan tsan; do
   step_start=$(date +%s)
   echo "== make $step"
   make --no-print-directory "$step" || { echo "yorb: make $step failed" >&2; exit 1; }
