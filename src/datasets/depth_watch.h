@@ -23,6 +23,9 @@ class DepthWatch {
   void Add(const LoadedFrame& frame);
   void Conclude();
 
+  /// Whether any frame so far had depth to speak of.
+  bool has_seen_any() const { return !medians_m_.empty(); }
+
   /// What is wrong with a typical depth; empty where nothing is.
   static std::string FactorComplaint(double median_m, bool is_float, double depth_factor, const std::string& camera);
 

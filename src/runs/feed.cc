@@ -98,6 +98,7 @@ void FeedFrames(const Dataset& dataset, const Config& config, Slam& slam, const 
       return;
     }
     depth.Add(*frame->loaded);
+    log.had_depth = depth.has_seen_any();
     const auto fate = PushFrame(*std::move(frame->loaded), slam, log);
     if (!fate) return;
     log.fates.push_back(*fate);

@@ -107,6 +107,14 @@ void LogSummary(const RunSummary& summary) {
   if (summary.error) LogInfo("the reason: " + summary.error->message);
 }
 
+/// Why there is no pose at all, where it is not for want of depth, of which the feeder has told.
+void WarnOfMissingMap(const Run& run, const FeedLog& fed, const SlamReport& report) {
+  if (!fed.had_depth || report.frames.empty() || !report.keyframes.empty()) return;
+  LogWarning("no-map", "no map began: none of the " + std::to_string(report.frames.size()) + " frames shows " +
+                           std::to_string(run.options.config.tracking.min_first_points) +
+                           " corners with depth; is the picture black, blank or very small?");
+}
+
 /// A run that ended before its first frame leaves an older one's results alone.
 bool ShouldSave(const Run& run, const FeedLog& fed) {
   if (!fed.fates.empty()) return true;
@@ -126,6 +134,7 @@ RunSummary Carry(Run& run, Slam& slam, const RunHooks& hooks) {
   const FeedLog fed = Feed(run.dataset, run.options.config, slam, feed_hooks);
   const SlamReport report = slam.Report();
   RunSummary summary = Summarise(run, fed, report);
+  WarnOfMissingMap(run, fed, report);
   SumUpWarnings();
   LogSummary(summary);
   if (!ShouldSave(run, fed)) return summary;

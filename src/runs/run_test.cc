@@ -122,6 +122,16 @@ TEST_F(Runs, SkipUnreadablePicturesAndCountThem) {
   EXPECT_THAT(Text("frames.csv"), HasSubstr(ToString(dataset.TimeOf(4)) + ",skipped,"));
 }
 
+TEST_F(Runs, WithoutAMapSayWhy) {
+  RunOptions options = Options("inline");
+  options.config.tracking.min_first_points = 20000;
+  const auto summary = RunSequence(WallDataset(3), options, {});
+  ASSERT_TRUE(summary.ok());
+  EXPECT_FALSE(summary->error.has_value());
+  EXPECT_EQ(Metrics()["tracked"], 0);
+  EXPECT_THAT(Text("log.txt"), HasSubstr("no map began: none of the 3 frames shows 20000 corners with depth"));
+}
+
 TEST_F(Runs, TakeOnlySoManyFrames) {
   RunOptions options = Options("inline");
   options.config.max_frames = 5;
