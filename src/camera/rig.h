@@ -60,6 +60,9 @@ struct Rig {
 
   /// The ideal pixels that the picture's border encloses.
   PixelBounds Bounds() const;
+
+  /// What no such sensor has, in words: most likely a slip in the camera file. Empty where nothing is odd.
+  std::string Oddity() const;
 };
 
 }  // namespace yorb

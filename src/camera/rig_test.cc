@@ -82,5 +82,25 @@ TEST(Rig, CloseDepthIsSoManyBaselines) {
   EXPECT_NEAR(rig.CloseDepth(), 40 * 40 / 517.306408, 1e-12);
 }
 
+TEST(Rig, SaysWhatNoSensorHas) {
+  EXPECT_EQ(Freiburg1().Oddity(), "");
+  Rig rational = Freiburg1(), near = Freiburg1(), far = Freiburg1(), unlike = Freiburg1(), bent = Freiburg1(),
+      wide = Freiburg1();
+  rational.camera = Rational();
+  EXPECT_EQ(rational.Oddity(), "");
+  near.camera.fx = near.camera.fy = 5e-3;
+  EXPECT_NE(near.Oddity(), "");
+  far.camera.fx = far.camera.fy = 5e5;
+  EXPECT_NE(far.Oddity(), "");
+  unlike.camera.fy = 51.6;
+  EXPECT_EQ(unlike.Oddity(), "fx and fy are very unlike");
+  for (const double k1 : {50.0, -5.0, 1e300}) {
+    bent.camera.distortion[0] = k1;
+    EXPECT_NE(bent.Oddity().find("distortion"), std::string::npos) << k1;
+  }
+  wide.baseline_px = 1e6;
+  EXPECT_NE(wide.Oddity().find("baseline"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace yorb

@@ -184,6 +184,7 @@ void Examiner::CompareSizes(const cv::Size& size) {
   const auto rig = FitChosenCamera(*chosen_, size.width, size.height);
   if (!rig) return Add(Level::kError, "camera", rig.error().message);
   rig_ = *rig;
+  if (const std::string odd = rig_->Oddity(); !odd.empty()) Add(Level::kWarning, "camera", odd + "; check its file");
   if (chosen_->rig.camera.width != 0 && chosen_->rig.camera.width != size.width) {
     Add(Level::kWarning, "camera", "the camera is for pictures of another size and would be scaled to them");
   }

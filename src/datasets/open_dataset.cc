@@ -158,6 +158,9 @@ Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const Ch
   if (rig->fps <= 0) rig->fps = step > 0 ? 1 / step : 30;
   if (const Status depth = CheckFirstDepth(*lists, *rig); !depth) return depth.error();
   CompareWithFolderName(folder, chosen.rig);
+  if (const std::string odd = rig->Oddity(); !odd.empty()) {
+    LogWarning("camera-odd", "camera " + rig->name + ": " + odd + "; check its file");
+  }
   LogInfo(folder + ": " + std::to_string(lists->depth_of.size()) + " colour pictures of " +
           SizeText(first->pixels.size()) + (step > 0 ? " at " + FormatFixed(1 / step, 1) + " Hz" : "") + ", " +
           std::to_string(lists->NumWithDepth()) + " with depth; camera " + rig->name + " (" + chosen.how + ")");
