@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/picture_file.h"
 
+#include <array>
+#include <cstdint>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string_view>
+
+#include "datasets/jpeg_picture.h"
 
 namespace yorb {
 namespace {
 
 constexpr std::streamoff kLargestFile = 1 << 30;  // bytes; OpenCV counts them in an int
 const char* const kCut = "is cut short";
+const char* const kDamaged = "is damaged";
 
 unsigned Byte(std::string_view bytes, size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
@@ -21,7 +26,7 @@ std::string FaultOfJpeg(std::string_view bytes) {
   constexpr unsigned kStartOfScan = 0xda;
   size_t at = 2;
   while (at + 4 <= bytes.size()) {
-    if (Byte(bytes, at) != 0xff) return "is damaged";
+    if (Byte(bytes, at) != 0xff) return kDamaged;
     const unsigned mark = Byte(bytes, at + 1);
     if (mark == 0xff) {  // padding
       ++at;
@@ -37,14 +42,38 @@ std::string FaultOfJpeg(std::string_view bytes) {
   return kCut;
 }
 
-/// Walks from chunk to chunk until IEND.
+/// The checksum of PNG's chunks.
+uint32_t Crc32(std::string_view bytes) {
+  static const std::array<uint32_t, 256> table = [] {
+    std::array<uint32_t, 256> rows{};
+    for (uint32_t n = 0; n < rows.size(); ++n) {
+      uint32_t row = n;
+      for (int bit = 0; bit < 8; ++bit) row = row & 1 ? 0xedb88320u ^ row >> 1 : row >> 1;
+      rows[n] = row;
+    }
+    return rows;
+  }();
+  uint32_t crc = 0xffffffffu;
+  for (const char c : bytes) crc = table[(crc ^ static_cast<unsigned char>(c)) & 0xff] ^ crc >> 8;
+  return ~crc;
+}
+
+/// Walks from chunk to chunk until IEND. The checksums of those that hold the picture are compared, since the decoder
+/// prints what it finds wrong.
 std::string FaultOfPng(std::string_view bytes) {
   size_t at = 8;
   while (at + 12 <= bytes.size()) {
     const size_t length = static_cast<size_t>(Byte(bytes, at)) << 24 | Byte(bytes, at + 1) << 16 |
                           Byte(bytes, at + 2) << 8 | Byte(bytes, at + 3);
-    if (bytes.substr(at + 4, 4) == "IEND") return "";
-    at += 12 + length;
+    const std::string_view name = bytes.substr(at + 4, 4);
+    if (name == "IEND") return "";
+    if (length > bytes.size() - at - 12) return kCut;
+    const size_t end = at + 8 + length;
+    const uint32_t crc =
+        Byte(bytes, end) << 24 | Byte(bytes, end + 1) << 16 | Byte(bytes, end + 2) << 8 | Byte(bytes, end + 3);
+    const bool is_needed = name == "IHDR" || name == "PLTE" || name == "IDAT";
+    if (is_needed && crc != Crc32(bytes.substr(at + 4, 4 + length))) return kDamaged;
+    at = end + 4;
   }
   return kCut;
 }
@@ -74,6 +103,19 @@ std::string FaultOfPictureBytes(const std::string& bytes) {
   return "";
 }
 
+namespace {
+
+cv::Mat DecodeByOpenCv(const std::string& bytes) {
+  const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+  try {
+    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+}  // namespace
+
 StoredPicture ReadPictureFile(const std::string& path) {
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : -1;
@@ -83,12 +125,10 @@ StoredPicture ReadPictureFile(const std::string& path) {
   if (size > 0 && !stream.read(bytes.data(), size)) return {{}, "cannot be read"};
   StoredPicture picture{{}, FaultOfPictureBytes(bytes)};
   if (!picture.fault.empty()) return picture;
-  try {
-    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-    picture.pixels = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    picture.pixels.release();
-  }
+  JpegPicture jpeg;
+  if (bytes.compare(0, 2, "\xff\xd8") == 0) jpeg = DecodeJpeg(bytes);
+  if (jpeg.kind == JpegPicture::Kind::kDamaged) return {{}, kDamaged};
+  picture.pixels = jpeg.kind == JpegPicture::Kind::kWhole ? jpeg.pixels : DecodeByOpenCv(bytes);
   if (picture.pixels.empty()) picture.fault = "cannot be decoded";
   return picture;
 }

@@ -53,6 +53,47 @@ TEST(PictureFile, ADamagedPngIsNotHalfRead) {
   EXPECT_NE(ReadPictureFile(folder.Path("c.png")).fault, "");
 }
 
+TEST(PictureFile, JpegsAreTheBitsThatOpenCvGives) {
+  const TestFolder folder;
+  cv::Mat grey, odd = TestColour(3, 201, 151);
+  cv::cvtColor(TestColour(2, 200, 150), grey, cv::COLOR_BGR2GRAY);
+  cv::GaussianBlur(odd, odd, {5, 5}, 1.5);
+  const std::pair<cv::Mat, std::vector<int>> pictures[] = {
+      {grey, {}},
+      {odd, {cv::IMWRITE_JPEG_QUALITY, 60}},
+      {odd, {cv::IMWRITE_JPEG_PROGRESSIVE, 1}},
+      {odd, {cv::IMWRITE_JPEG_RST_INTERVAL, 4}},
+  };
+  for (const auto& [picture, options] : pictures) {
+    ASSERT_TRUE(cv::imwrite(folder.Path("c.jpg"), picture, options));
+    const StoredPicture read = ReadPictureFile(folder.Path("c.jpg"));
+    ASSERT_EQ(read.fault, "");
+    const cv::Mat theirs = cv::imread(folder.Path("c.jpg"), cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(read.pixels.type(), theirs.type());
+    EXPECT_EQ(cv::norm(read.pixels, theirs, cv::NORM_INF), 0);
+  }
+}
+
+TEST(PictureFile, JpegsThatMakeNoSenseInTheirMiddleAreDamagedAndStrayBytesAreNot) {
+  const TestFolder folder;
+  cv::Mat picture = TestColour(1, 200, 150);
+  ASSERT_TRUE(cv::imwrite(folder.Path("c.jpg"), picture, {cv::IMWRITE_JPEG_QUALITY, 80}));
+  const std::string whole = folder.Read("c.jpg");
+  const auto fault_of = [&](const std::string& bytes) {
+    folder.Write("bad.jpg", bytes);
+    const StoredPicture read = ReadPictureFile(folder.Path("bad.jpg"));
+    EXPECT_EQ(read.pixels.empty(), !read.fault.empty());
+    return read.fault;
+  };
+  std::string garbled = whole, short_data = whole, stray = whole;
+  garbled.replace(whole.size() / 2, 400, 400, '\x55');
+  short_data.erase(whole.size() - 502, 500);
+  stray.insert(whole.size() - 2, "\x12\x34\x56");
+  EXPECT_EQ(fault_of(garbled), "is damaged");
+  EXPECT_EQ(fault_of(short_data), "is damaged");
+  EXPECT_EQ(fault_of(stray), "");
+}
+
 TEST(PictureFile, ThePreviewInAJpegsHeaderDoesNotCountAsItsEnd) {
   const TestFolder folder;
   folder.WritePicture("c.jpg", TestColour(1, 200, 150));
