@@ -32,8 +32,8 @@ struct FeatureOptions {
   double alpha = 0.7;                     ///< of equation (3); detector adaptive
   double alpha_low = 0.07;                ///< of the second threshold, where a cell finds nothing; detector adaptive
   int noise_threshold = 4;                ///< grey levels every corner must exceed; detector adaptive
-  double choice = 0;                      ///< candidates for each wanted point; 0: cell by cell; detector adaptive
-  bool subpixel = false;                  ///< refines the place of a corner by a parabola through the scores around it
+  double choice = 1.2;                    ///< candidates for each wanted point; 0: cell by cell; detector adaptive
+  bool subpixel = true;                   ///< refines the place of a corner by a parabola through the scores around it
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {

@@ -12,8 +12,16 @@ namespace yorb {
 namespace {
 
 constexpr size_t kMinInliersOfGuess = 10;  // that make a first pose worth refining on the local map
+constexpr size_t kFewMatches = 20;         // with the frame before
 
 size_t NumInliers(const Fix& fix) { return fix.num_inliers + fix.num_inliers_by_depth; }
+
+/// Whether enough of what was matched agrees on the pose. Otherwise another way to it may be the better one: a few
+/// dozen matches of repeated texture agree on a wrong pose, too.
+bool IsConvincing(const Fix& fix) {
+  constexpr double kShare = 0.4;
+  return static_cast<double>(NumInliers(fix)) >= kShare * static_cast<double>(fix.num_matched);
+}
 
 int CountPointsWithDepth(const Frame& frame) {
   return static_cast<int>(std::count_if(frame.depth.begin(), frame.depth.end(), [](float d) { return d > 0; }));
@@ -56,27 +64,29 @@ Tracked Tracker::Begin(const FramePtr& frame) {
 Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
   if (IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
-  std::optional<Fix> fix = FindPose(*frame, map);
+  std::optional<Located> located = FindPose(*frame, map);
   Tracked tracked;
   ++frames_since_proposal_;
-  if (!fix) {
+  if (!located) {
     NoteLoss(*frame);
     return tracked;
   }
-  NoteMotion(*frame, map, *fix);
+  CountSeen(*located);
+  Fix& fix = located->fix;
+  NoteMotion(*frame, map, fix);
   if (const FramePtr better = WithoutShutter(raw_frame, motion_.rate()); better != raw_frame) {
     frame = better;
-    fix = Refit(*frame, map, *fix);
+    fix = Refit(*frame, map, fix);
   }
-  Remember(frame, map, *fix);
+  Remember(frame, map, *located);
   tracked.record.reference = last_.reference;
   tracked.record.cam_from_reference = last_.cam_from_reference;
-  tracked.record.num_matched = static_cast<int>(fix->num_matched);
-  tracked.record.num_inliers = static_cast<int>(NumInliers(*fix));
+  tracked.record.num_matched = static_cast<int>(fix.num_matched);
+  tracked.record.num_inliers = static_cast<int>(NumInliers(fix));
   const KeyframeQuestion question{
-      *frame, *fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
+      *frame, fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
       backlog};
-  if (IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, *fix);
+  if (IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
   return tracked;
 }
 
@@ -92,48 +102,55 @@ Tracked Tracker::StandStill() {
   return tracked;
 }
 
-std::optional<Fix> Tracker::FindPose(const Frame& frame, const Map& map) {
-  std::optional<Fix> fix;
-  if (state_ != TrackingState::kLost) fix = TrackFromLast(frame, map);
-  if (fix) fix = TrackLocalMap(frame, map, *fix);
-  if (!fix && state_ != TrackingState::kLost) {
-    fix = TrackFromKeyframe(frame, map);
-    if (fix) fix = TrackLocalMap(frame, map, *fix);
+std::optional<Tracker::Located> Tracker::FindPose(const Frame& frame, const Map& map) const {
+  using Way = std::optional<Fix> (Tracker::*)(const Frame&, const Map&) const;
+  std::optional<Located> best;
+  const auto try_way = [&](Way way) {
+    const std::optional<Fix> coarse = (this->*way)(frame, map);
+    std::optional<Located> located = coarse ? TrackLocalMap(frame, map, *coarse) : std::nullopt;
+    if (located && (!best || NumInliers(located->fix) > NumInliers(best->fix))) best = std::move(located);
+    return best && IsConvincing(best->fix);
+  };
+  if (state_ != TrackingState::kLost) {
+    for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
+      if (try_way(way)) return best;
+    }
   }
-  if (!fix) {
-    fix = Relocalize(frame, map, options_, Random(static_cast<uint64_t>(seed_), frame.id.value()));
-    if (fix) fix = TrackLocalMap(frame, map, *fix);
-  }
-  return fix;
+  if (!best) try_way(&Tracker::RelocalizeInMap);
+  return best;
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
-  constexpr size_t kFewMatches = 20, kEnoughLandmarks = 150;
+  constexpr size_t kEnoughLandmarks = 150;
   constexpr float kWider = 2, kWidest = 4;
   const Rigid3 last_pose = LastPose(map);
   const Rigid3 predicted = motion_.Predict(last_.frame->timestamp, frame.timestamp) * last_pose;
   const auto radius_px = static_cast<float>(options_.search_radius_px);
-  const auto search = [&](const std::vector<KnownPoint>& points, const Rigid3& guess,
-                          float radius) -> std::optional<Fix> {
+  std::optional<Fix> best;
+  const auto search = [&](const std::vector<KnownPoint>& points, const Rigid3& guess, float radius) {
     const std::vector<int> rows = MatchKnownPoints(frame, guess, last_pose, points, radius);
     const auto num_matches = std::count_if(rows.begin(), rows.end(), [](int row) { return row >= 0; });
-    if (num_matches < static_cast<std::ptrdiff_t>(kFewMatches)) return std::nullopt;
+    if (num_matches < static_cast<std::ptrdiff_t>(kFewMatches)) return false;
     Fix fix = FixFromPoints(frame, guess, points, rows);
-    if (NumInliers(fix) < kFewMatches) return std::nullopt;
-    return fix;
+    if (NumInliers(fix) < kFewMatches) return false;
+    if (!best || NumInliers(fix) > NumInliers(*best)) best = std::move(fix);
+    return IsConvincing(*best);
   };
 
   std::vector<KnownPoint> points = LandmarksOfLast(map);
-  if (points.size() >= kEnoughLandmarks) {
-    if (auto fix = search(points, predicted, radius_px)) return fix;
-  }
+  if (points.size() >= kEnoughLandmarks && search(points, predicted, radius_px)) return best;
   AddDepthPointsOfLast(map, points);
-  if (auto fix = search(points, predicted, radius_px)) return fix;
-  if (auto fix = search(points, predicted, kWider * radius_px)) return fix;
-  if (auto fix = search(points, last_pose, kWidest * radius_px)) return fix;
+  if (search(points, predicted, radius_px) || search(points, predicted, kWider * radius_px)) return best;
+  search(points, last_pose, kWidest * radius_px);
+  return best;
+}
+
+std::optional<Fix> Tracker::TrackFromLastByAppearance(const Frame& frame, const Map& map) const {
+  std::vector<KnownPoint> points = LandmarksOfLast(map);
+  AddDepthPointsOfLast(map, points);
   auto fix = FixByAppearance(frame, points, Random(static_cast<uint64_t>(seed_), frame.id.value()));
-  if (fix && NumInliers(*fix) >= kFewMatches) return fix;
-  return std::nullopt;
+  if (fix && NumInliers(*fix) < kFewMatches) return std::nullopt;
+  return fix;
 }
 
 std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map) const {
@@ -143,23 +160,29 @@ std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map
   return RelocalizeAgainst(frame, map, *reference, options_, kMinInliersOfGuess, random);
 }
 
-std::optional<Fix> Tracker::TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) {
-  local_ = CollectLocalMap(map, coarse.matches, static_cast<size_t>(options_.max_local_keyframes));
-  if (local_.keyframes.empty()) {
+std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) const {
+  return Relocalize(frame, map, options_, Random(static_cast<uint64_t>(seed_), frame.id.value()));
+}
+
+std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const {
+  Located located;
+  LocalMap& local = located.local;
+  local = CollectLocalMap(map, coarse.matches, static_cast<size_t>(options_.max_local_keyframes));
+  if (local.keyframes.empty()) {
     // No landmark is in view, but the frame before is: its keyframe stands for the place.
     const KeyframeId near = map.Surviving(last_.reference);
-    if (map.Find(near)) local_.keyframes.push_back(local_.reference = near);
+    if (map.Find(near)) local.keyframes.push_back(local.reference = near);
   }
   const auto widening = static_cast<float>(options_.local_widening);
   const std::vector<ExpectedLandmark> expected =
-      ExpectLocalLandmarks(map, local_, frame, coarse.cam_from_world, coarse.matches, widening);
-  Fix fix = FixWithExpected(frame, map, coarse, expected);
-  std::vector<LandmarkId> visible = coarse.matches;
-  for (const ExpectedLandmark& e : expected) visible.push_back(e.id);
-  CountSeen(visible, fix);
-  if (IsConfirmed(frame, fix)) return fix;
+      ExpectLocalLandmarks(map, local, frame, coarse.cam_from_world, coarse.matches, widening);
+  located.fix = FixWithExpected(frame, map, coarse, expected);
+  located.visible = coarse.matches;
+  for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
+  if (IsConfirmed(frame, located.fix)) return located;
   // Too little of the map is in view; the frame before, with its own depth, may carry on alone.
-  if (IsConfirmed(frame, coarse)) return coarse;
+  located.fix = coarse;
+  if (IsConfirmed(frame, coarse)) return located;
   return std::nullopt;
 }
 
@@ -170,11 +193,11 @@ bool Tracker::IsConfirmed(const Frame& frame, const Fix& fix) const {
   return NumInliers(fix) >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
 }
 
-void Tracker::CountSeen(const std::vector<LandmarkId>& expected, const Fix& fix) {
-  for (const LandmarkId id : expected) {
+void Tracker::CountSeen(const Located& located) {
+  for (const LandmarkId id : located.visible) {
     if (id.IsValid()) ++counts_[id].visible;
   }
-  for (const LandmarkId id : fix.matches) {
+  for (const LandmarkId id : located.fix.matches) {
     if (id.IsValid()) ++counts_[id].found;
   }
 }
@@ -190,8 +213,10 @@ void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
   state_ = TrackingState::kTracking;
 }
 
-void Tracker::Remember(const FramePtr& frame, const Map& map, const Fix& fix) {
-  const KeyframeId reference = local_.reference.IsValid() ? local_.reference : map.Surviving(last_.reference);
+void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& located) {
+  const Fix& fix = located.fix;
+  const KeyframeId reference =
+      located.local.reference.IsValid() ? located.local.reference : map.Surviving(last_.reference);
   last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches};
 }
 

@@ -38,17 +38,26 @@ class Tracker {
     std::vector<LandmarkId> matches;
   };
 
+  /// A pose that the map confirms.
+  struct Located {
+    Fix fix;
+    LocalMap local;
+    std::vector<LandmarkId> visible;  ///< landmarks that should be seen from there
+  };
+
   Tracked Begin(const FramePtr& frame);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
   Tracked StandStill();
-  std::optional<Fix> FindPose(const Frame& frame, const Map& map);
+  std::optional<Located> FindPose(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackFromLastByAppearance(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
-  std::optional<Fix> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse);
+  std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map) const;
+  std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
   bool IsConfirmed(const Frame& frame, const Fix& fix) const;
-  void CountSeen(const std::vector<LandmarkId>& expected, const Fix& fix);
+  void CountSeen(const Located& located);
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
-  void Remember(const FramePtr& frame, const Map& map, const Fix& fix);
+  void Remember(const FramePtr& frame, const Map& map, const Located& located);
   void NoteLoss(const Frame& frame);
   Proposal Propose(const FramePtr& frame, const Fix& fix);
   std::vector<KnownPoint> LandmarksOfLast(const Map& map) const;
@@ -60,7 +69,6 @@ class Tracker {
   TrackingState state_ = TrackingState::kNotInitialized;
   Confirmed last_;
   MotionModel motion_;
-  LocalMap local_;
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
   int frames_since_proposal_ = 0;
