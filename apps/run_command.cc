@@ -21,6 +21,7 @@ namespace {
 struct RunArguments {
   SequenceArguments sequence;
   std::optional<std::string> out;
+  std::string overlay;
   bool is_quiet = false;
 };
 
@@ -52,6 +53,7 @@ Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
   RunOptions options;
   options.config = sequence->config;
   options.out = arguments.out.value_or("");
+  options.overlay = arguments.overlay;
   options.title = std::filesystem::path(sequence->folder).lexically_normal().string();
   options.reference = TruthBeside(sequence->folder);
   Progress progress(arguments.is_quiet);
@@ -85,6 +87,8 @@ void AddRunCommand(CLI::App& program, Action& action) {
   const auto arguments = std::make_shared<RunArguments>();
   arguments->sequence.AddTo(*command);
   command->add_option("--out", arguments->out, "The folder for the results; left out: a new one, yorb_DATE_TIME");
+  command->add_option("--save-overlay", arguments->overlay,
+                      "A folder for a PNG of each frame with its boxes and points, and points.csv");
   command->add_flag("--quiet", arguments->is_quiet, "Nothing on standard output; warnings still go to standard error");
   command->footer(
       "Examples:\n"

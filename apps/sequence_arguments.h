@@ -19,7 +19,7 @@ struct SequenceArguments {
   std::vector<std::string> places;  ///< DIR, and further key=value after --set
   std::optional<std::string> camera, config;
   std::vector<std::string> settings;  ///< of --set
-  std::optional<std::string> mode, dynamics, seed, max_frames;
+  std::optional<std::string> mode, dynamics, detections, masks, model, seed, max_frames;
 
   /// Adds them to a subcommand, which keeps pointers into this object.
   void AddTo(CLI::App& command);

@@ -112,6 +112,68 @@ TEST(EndToEndInline, TheWrittenConfigRepeatsTheRunToTheBit) {
   std::filesystem::remove_all(folder);
 }
 
+/// Sees somebody in the left third of each picture; fails when it is asked once too often.
+class ThirdDetector : public Detector {
+ public:
+  explicit ThirdDetector(int num_good) : num_good_(num_good) {}
+  Result<Detections> Detect(const ImageSet& images) override {
+    if (num_good_-- == 0) return BadInput("the detector is worn out");
+    const double width = images.grey.cols, height = images.grey.rows;
+    return Detections{true, {{"person", 0.9, 0, 0, width / 3, height}}};
+  }
+
+ private:
+  int num_good_;
+};
+
+class EndToEndDynamics : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Modes, EndToEndDynamics, testing::Values("inline", "offline", "live"));
+
+TEST_P(EndToEndDynamics, PointsInBoxesGoAndTheRestIsEnough) {
+  cv::setNumThreads(1);
+  Config config = TestConfig(GetParam());
+  config.dynamics = "paper";
+  SlamParts parts;
+  parts.detector = std::make_unique<ThirdDetector>(kFrames);
+  size_t num_watched = 0;
+  parts.watch = [&](const Watched& watched) {
+    ++num_watched;
+    EXPECT_EQ(watched.points.size(), watched.verdicts.size());
+    for (size_t i = 0; i < watched.points.size() && !watched.areas.boxes().empty(); ++i) {
+      const bool is_left = static_cast<double>(watched.points[i].x) + 0.5 < watched.images.grey.cols / 3.0;
+      EXPECT_EQ(watched.verdicts[i] == Verdict::kDynamic, is_left);
+    }
+  };
+  auto slam = Slam::Create(config, Room().rig(), std::move(parts));
+  ASSERT_TRUE(slam.ok());
+  const FeedLog fed = Feed(Room(), config, **slam, {});
+  EXPECT_FALSE(fed.error) << fed.error->message;
+  const SlamReport report = (*slam)->Report();
+  EXPECT_EQ(num_watched, report.frames.size());
+  ASSERT_GE(report.trajectory.size(), 1u);
+  if (std::string(GetParam()) == "live") return;  // a slow machine drops frames and boxes
+  EXPECT_EQ(report.trajectory.size(), size_t{kFrames});
+  EXPECT_LT(AteRmse(report.trajectory), 0.02);
+  for (const FrameRecord& frame : report.frames) {
+    EXPECT_EQ(frame.num_boxes, 1);
+    EXPECT_GT(frame.num_removed, 0);
+    EXPECT_LE(frame.num_static, 500);
+    EXPECT_GT(frame.num_static, 250);
+  }
+}
+
+TEST_P(EndToEndDynamics, ADetectorThatFailsEndsTheRunWithWhatThereIs) {
+  Config config = TestConfig(GetParam());
+  config.dynamics = "full";
+  SlamParts parts;
+  parts.detector = std::make_unique<ThirdDetector>(0);
+  auto slam = Slam::Create(config, Room().rig(), std::move(parts));
+  ASSERT_TRUE(slam.ok());
+  const FeedLog fed = Feed(Room(), config, **slam, {});
+  ASSERT_TRUE(fed.error);
+  EXPECT_THAT(fed.error->message, testing::HasSubstr("worn out"));
+}
+
 TEST(Slam, RefusesWhatItCannotUseAndGoesOn) {
   const Config config = TestConfig("inline");
   auto slam = Slam::Create(config, Room().rig());

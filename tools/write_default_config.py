@@ -51,7 +51,9 @@ def fields(body):
 
 
 def value(text):
-    """A C++ default as YAML."""
+    """A C++ default as YAML; strings have none where they begin empty."""
+    if text is None:
+        return '""'
     if text.startswith('"'):
         word = text.strip('"')
         return text if word in ("on", "off", "yes", "no") or not re.fullmatch(r"[A-Za-z_]+", word) else word

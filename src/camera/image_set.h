@@ -37,6 +37,7 @@ struct ImageSet {
   cv::Mat grey;    ///< CV_8UC1
   cv::Mat colour;  ///< CV_8UC3, BGR; empty where the source is grey
   DepthImage depth;
+  cv::Mat ignored;  ///< CV_8UC1 of the picture's size: pixels that are not 0 are not to be used; empty: all are
 };
 
 }  // namespace yorb

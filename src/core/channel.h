@@ -42,11 +42,13 @@ class Channel {
   std::optional<T> Pop() {
     std::unique_lock<std::mutex> lock(mutex_);
     ready_.wait(lock, [&] { return closed_ || !items_.empty(); });
-    if (items_.empty()) return std::nullopt;
-    std::optional<T> item(std::move(items_.front()));
-    items_.pop_front();
-    room_.notify_one();
-    return item;
+    return Take();
+  }
+
+  /// An item if there is one; never waits.
+  std::optional<T> TryPop() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return Take();
   }
 
   /// No more items come in; those that are in can still be taken.
@@ -64,6 +66,14 @@ class Channel {
   }
 
  private:
+  std::optional<T> Take() {
+    if (items_.empty()) return std::nullopt;
+    std::optional<T> item(std::move(items_.front()));
+    items_.pop_front();
+    room_.notify_one();
+    return item;
+  }
+
   bool Put(T&& item) {
     if (closed_) return false;
     items_.push_back(std::move(item));

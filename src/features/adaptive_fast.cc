@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <iterator>
 
 namespace yorb {
 namespace {
@@ -170,10 +171,15 @@ void CornerDetector::TakeCorners(const std::vector<Corner>& found) {
 }
 
 const std::vector<Corner>& CornerDetector::Detect(const GreyView& level, const CornerOptions& options, int enough,
-                                                  Instructions instructions) {
+                                                  Instructions instructions, const CornerFilter& may_use) {
   corners_.clear();
   const int lowest = options.is_adaptive ? options.noise : std::min(options.low, options.high);
-  const std::vector<Corner>& found = fast_.Detect(level, {lowest, options.arc, options.border}, instructions);
+  const std::vector<Corner>& all = fast_.Detect(level, {lowest, options.arc, options.border}, instructions);
+  if (may_use) {
+    usable_.clear();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(usable_), may_use);
+  }
+  const std::vector<Corner>& found = may_use ? usable_ : all;
   if (found.empty()) return corners_;
   const size_t wanted = static_cast<size_t>(std::max(enough, 0));
   if (options.is_adaptive && options.choice > 0) {

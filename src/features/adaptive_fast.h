@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "features/fast.h"
@@ -22,6 +23,9 @@ struct CornerOptions {
   int border = 19;  ///< pixels that stay empty along the edges
 };
 
+/// Whether a corner of a level may be used; empty: all may.
+using CornerFilter = std::function<bool(const Corner&)>;
+
 /// FAST with two thresholds: a cell of about 30 px in which the first one finds nothing gets the corners of the second.
 /// Where that leaves fewer than `enough` corners, the strongest of all others join them, so that no picture starves
 /// (adaptive only: the fixed thresholds stay as ORB-SLAM2 has them).
@@ -32,7 +36,7 @@ class CornerDetector {
  public:
   /// Row by row, left to right. The result lives until the next call.
   const std::vector<Corner>& Detect(const GreyView& level, const CornerOptions& options, int enough,
-                                    Instructions instructions);
+                                    Instructions instructions, const CornerFilter& may_use = {});
 
   /// All corners that pass the first threshold, and no others: what the paper counts under changing light.
   const std::vector<Corner>& DetectFirst(const GreyView& level, const CornerOptions& options,
@@ -59,6 +63,7 @@ class CornerDetector {
   std::vector<float> strength_;         ///< of each corner of the score map, beside its neighbourhood
   std::vector<uint64_t> ranks_;         ///< strength and index of a corner in one number: the stronger the larger
   std::vector<uint32_t> rest_;          ///< indices of corners that are not chosen
+  std::vector<Corner> usable_;          ///< of the score map, where not all may be used
   std::vector<Corner> corners_;
 };
 

@@ -64,7 +64,7 @@ FrameBuilder::FrameBuilder(const FeatureOptions& options, const Rig& rig)
       scales_(std::make_shared<const ScaleTable>(options.levels, options.scale_factor)),
       bounds_(rig.Bounds()) {}
 
-FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images) {
+FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images, Features features) const {
   auto frame = std::make_shared<Frame>();
   frame->id = id;
   frame->timestamp = images.timestamp;
@@ -72,7 +72,7 @@ FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images) {
   frame->scales = scales_;
   frame->bounds = bounds_;
 
-  Features features = Trim(extractor_.Extract(images.grey), wanted_, trim_by_);
+  features = Trim(std::move(features), wanted_, trim_by_);
   frame->keypoints = std::move(features.keypoints);
   frame->descriptors = std::move(features.descriptors);
 

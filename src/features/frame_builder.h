@@ -12,13 +12,21 @@
 namespace yorb {
 
 /// From pictures to a Frame: extraction, trimming to the wanted number, undistortion, depth of each
-/// point, grid.
+/// point, grid. Between the first two, whoever wants may take points away.
 class FrameBuilder {
  public:
   FrameBuilder(const FeatureOptions& options, const Rig& rig);
 
-  /// `images` must have the rig's picture size (the caller has checked it).
-  FramePtr Build(FrameId id, const ImageSet& images);
+  /// More points than are wanted, where over-extraction is asked for. `images` must have the rig's picture size (the
+  /// caller has checked it).
+  Features Extract(const ImageSet& images, const PointFilter& may_use = {}) {
+    return extractor_.Extract(images.grey, may_use);
+  }
+
+  /// The frame of those features of `images` that are left.
+  FramePtr Build(FrameId id, const ImageSet& images, Features features) const;
+
+  FramePtr Build(FrameId id, const ImageSet& images) { return Build(id, images, Extract(images)); }
 
  private:
   OrbExtractor extractor_;

@@ -54,8 +54,26 @@ struct OrbExtractor::Scratch {
   Quadtree quadtree;
   Blur blur;
 
-  const std::vector<Corner>& CornersOfLevel(const FeatureOptions& options, const GreyView& level, int wanted) {
-    const std::vector<Corner>& found = detector.Detect(level, corner_options, wanted, instructions);
+  /// Where a corner of a level lies in the picture. Centres of pixels are whole numbers, and the levels share their
+  /// borders, not their first centres: scaling the bare coordinate would shift the points of level l by
+  /// (scale - 1) / 2 px, 1.3 px on the eighth.
+  Keypoint PlaceOf(const Corner& corner, int octave) const {
+    const GreyView &picture = pyramid.Level(0), &level = pyramid.Level(octave);
+    const float x_scale = static_cast<float>(picture.width) / static_cast<float>(level.width);
+    const float y_scale = static_cast<float>(picture.height) / static_cast<float>(level.height);
+    Keypoint keypoint;
+    keypoint.x = (static_cast<float>(corner.x) + corner.dx + 0.5f) * x_scale - 0.5f;
+    keypoint.y = (static_cast<float>(corner.y) + corner.dy + 0.5f) * y_scale - 0.5f;
+    keypoint.octave = octave;
+    return keypoint;
+  }
+
+  const std::vector<Corner>& CornersOfLevel(const FeatureOptions& options, int octave, const PointFilter& may_use) {
+    const GreyView& level = pyramid.Level(octave);
+    const int wanted = shares[static_cast<size_t>(octave)];
+    CornerFilter filter;
+    if (may_use) filter = [&](const Corner& corner) { return may_use(PlaceOf(corner, octave)); };
+    const std::vector<Corner>& found = detector.Detect(level, corner_options, wanted, instructions, filter);
     const int border = corner_options.border;
     const CornerArea area{border, border, level.width - border, level.height - border};
     return options.distribution == "quadtree" ? quadtree.KeepBestOfEach(found, area, wanted)
@@ -65,19 +83,12 @@ struct OrbExtractor::Scratch {
   void AddLevel(const FeatureOptions& options, const std::vector<Corner>& corners, int octave, Features& features) {
     if (corners.empty()) return;
     const GreyView& level = pyramid.Level(octave);
-    // Centres of pixels are whole numbers, and the levels share their borders, not their first centres: scaling the
-    // bare coordinate would shift the points of level l by (scale - 1) / 2 px, 1.3 px on the eighth.
-    const float x_scale = static_cast<float>(pyramid.Level(0).width) / static_cast<float>(level.width);
-    const float y_scale = static_cast<float>(pyramid.Level(0).height) / static_cast<float>(level.height);
     const GreyView blurred = blur.Apply(level, instructions);
     for (Corner corner : corners) {
       if (options.subpixel) corner = Refined(level, corner, options.fast_arc, instructions);
-      Keypoint keypoint;
-      keypoint.x = (static_cast<float>(corner.x) + corner.dx + 0.5f) * x_scale - 0.5f;
-      keypoint.y = (static_cast<float>(corner.y) + corner.dy + 0.5f) * y_scale - 0.5f;
+      Keypoint keypoint = PlaceOf(corner, octave);
       keypoint.angle_rad = OrientationOf(level, corner.x, corner.y, instructions);
       keypoint.response = corner.response;
-      keypoint.octave = octave;
       features.keypoints.push_back(keypoint);
       features.descriptors.push_back(DescribeAt(blurred, corner.x, corner.y, keypoint.angle_rad, instructions));
     }
@@ -92,7 +103,7 @@ OrbExtractor::~OrbExtractor() = default;
 OrbExtractor::OrbExtractor(OrbExtractor&&) noexcept = default;
 OrbExtractor& OrbExtractor::operator=(OrbExtractor&&) noexcept = default;
 
-Features OrbExtractor::Extract(const cv::Mat& grey) {
+Features OrbExtractor::Extract(const cv::Mat& grey, const PointFilter& may_use) {
   YORB_CHECK(grey.empty() || grey.type() == CV_8UC1, "the extractor takes 8-bit grey pictures");
   Features features;
   const size_t total = static_cast<size_t>(std::lround(options_.wanted * options_.over_extraction));
@@ -103,9 +114,7 @@ Features OrbExtractor::Extract(const cv::Mat& grey) {
   for (int octave = 0; octave < options_.levels; ++octave) {
     const GreyView& level = scratch_->pyramid.Level(octave);
     if (level.width <= 2 * kFeatureBorder || level.height <= 2 * kFeatureBorder) break;
-    const std::vector<Corner>& corners =
-        scratch_->CornersOfLevel(options_, level, scratch_->shares[static_cast<size_t>(octave)]);
-    scratch_->AddLevel(options_, corners, octave, features);
+    scratch_->AddLevel(options_, scratch_->CornersOfLevel(options_, octave, may_use), octave, features);
   }
   return features;
 }

@@ -5,6 +5,7 @@
 // Runs on: one thread at a time for each extractor. May not: know poses or maps.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <string>
@@ -20,7 +21,7 @@ namespace yorb {
 /// decides cell by cell, and the second where a cell finds nothing, as in the paper.
 struct FeatureOptions {
   int wanted = 1000;                      ///< points a picture that tracking gets
-  double over_extraction = 1.0;           ///< how many times `wanted` is extracted, so that enough remain after removal
+  double over_extraction = 1.5;           ///< how many times `wanted` is extracted where moving points are removed
   std::string trim = "response";          ///< what stays of more than wanted: the strongest, or spread over the picture
   int levels = 8;                         ///< of the pyramid
   double scale_factor = 1.2;              ///< between levels
@@ -58,6 +59,9 @@ struct FeatureOptions {
 /// How these options choose the corners of a level.
 CornerOptions CornersOf(const FeatureOptions& options);
 
+/// Whether a point may be used, by its place (px) and octave alone; empty: all may.
+using PointFilter = std::function<bool(const Keypoint&)>;
+
 /// Finds oriented FAST corners over a pyramid, spreads them over the picture and describes them.
 /// Deterministic: the same picture gives the same features, whatever came before.
 class OrbExtractor {
@@ -67,8 +71,9 @@ class OrbExtractor {
   OrbExtractor(OrbExtractor&&) noexcept;
   OrbExtractor& operator=(OrbExtractor&&) noexcept;
 
-  /// `grey` is CV_8UC1 of any size; a picture too small for a level gives no points there.
-  Features Extract(const cv::Mat& grey);
+  /// `grey` is CV_8UC1 of any size; a picture too small for a level gives no points there. Where `may_use` is given,
+  /// points that it refuses are left out before they are counted and spread: the others take their places.
+  Features Extract(const cv::Mat& grey, const PointFilter& may_use = {});
 
  private:
   struct Scratch;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <opencv2/features2d.hpp>
@@ -71,7 +72,9 @@ TEST(OrbExtractor, DescriptorsAreOpenCvsToTheBit) {
 
 TEST(OrbExtractor, AnglesAreOpenCvs) {
   const cv::Mat picture = RectanglesPicture(640, 480, 4);
-  const Features features = OrbExtractor(FeatureOptions()).Extract(picture);
+  FeatureOptions options;
+  options.subpixel = false;
+  const Features features = OrbExtractor(options).Extract(picture);
   std::vector<cv::KeyPoint> theirs;
   cv::ORB::create(3000, 1.2f, 1, 31, 0, 2, cv::ORB::FAST_SCORE, 31, 5)->detect(picture, theirs);
   int compared = 0;
@@ -116,6 +119,16 @@ TEST_P(OrbExtractorWays, GivesWhatIsWantedOnAllLevels) {
       EXPECT_NEAR(counts[level], counts[level - 1] / 1.2, 0.1 * counts[level - 1]) << level;
     }
   }
+}
+
+TEST_P(OrbExtractorWays, RefusedPlacesLeaveTheirShareToTheOthers) {
+  const cv::Mat picture = RectanglesPicture(640, 480, 7);
+  const PointFilter is_right = [](const Keypoint& point) { return point.x > 400; };
+  const Features features = OrbExtractor(GetParam()).Extract(picture, is_right);
+  const Features all = OrbExtractor(GetParam()).Extract(picture);
+  const auto num_right = std::count_if(all.keypoints.begin(), all.keypoints.end(), is_right);
+  EXPECT_GT(features.keypoints.size(), static_cast<size_t>(num_right));
+  for (const Keypoint& k : features.keypoints) EXPECT_GT(k.x, 399);  // refined by up to half a pixel of a level
 }
 
 TEST_P(OrbExtractorWays, KeepsAwayFromTheBorder) {

@@ -37,6 +37,8 @@ struct FrameRecord {
   int num_static = 0;      ///< left to the tracker
   int num_removed = 0;     ///< as dynamic
   int num_given_back = 0;  ///< inside a box and yet static
+  int num_boxes = 0;       ///< of moving things
+  int num_bridged = 0;     ///< of these: not detected in this picture
   int num_matched = 0;
   int num_inliers = 0;
   bool is_keyframe = false;

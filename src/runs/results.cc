@@ -24,6 +24,17 @@ FrameRow RowWithout(Timestamp time, const char* state) {
   return row;
 }
 
+nlohmann::ordered_json DynamicsJson(const DynamicsMetrics& metrics) {
+  return {{"mode", metrics.mode},
+          {"boxes", metrics.boxes},
+          {"boxes_unmatched", metrics.boxes_unmatched},
+          {"frames_with_boxes", metrics.frames_with_boxes},
+          {"frames_bridged", metrics.frames_bridged},
+          {"points_removed", metrics.points_removed},
+          {"points_given_back", metrics.points_given_back},
+          {"landmarks_removed", metrics.landmarks_removed}};
+}
+
 void AppendRow(std::string& text, const FrameRow& row) {
   const FrameRecord& r = row.record;
   text += ToString(r.timestamp) + "," + row.state;
@@ -67,6 +78,19 @@ std::string FramesCsv(const std::vector<FrameRow>& rows) {
   return text;
 }
 
+DynamicsMetrics DynamicsOf(const std::string& mode, const std::vector<FrameRecord>& frames) {
+  DynamicsMetrics metrics;
+  metrics.mode = mode;
+  for (const FrameRecord& frame : frames) {
+    metrics.boxes += static_cast<size_t>(frame.num_boxes);
+    metrics.frames_with_boxes += frame.num_boxes > 0;
+    metrics.frames_bridged += frame.num_bridged > 0;
+    metrics.points_removed += static_cast<size_t>(frame.num_removed);
+    metrics.points_given_back += static_cast<size_t>(frame.num_given_back);
+  }
+  return metrics;
+}
+
 double RunMetrics::Coverage() const {
   if (frames == 0) return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(tracked) / static_cast<double>(frames);
@@ -98,6 +122,7 @@ std::string MetricsJson(const RunMetrics& metrics) {
                                        {"keyframes", metrics.keyframes},
                                        {"landmarks", metrics.landmarks},
                                        {"loops", metrics.loops},
+                                       {"dynamics", DynamicsJson(metrics.dynamics)},
                                        {"wall_s", NumberOrNull(metrics.wall_s)},
                                        {"cpu_s", NumberOrNull(metrics.cpu_s)},
                                        {"peak_rss_mb", NumberOrNull(metrics.peak_rss_mb)},

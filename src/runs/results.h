@@ -26,12 +26,26 @@ std::vector<FrameRow> FrameRows(const Dataset& dataset, const std::vector<Fate>&
 /// frames.csv.
 std::string FramesCsv(const std::vector<FrameRow>& rows);
 
+/// What metrics.json says of moving things.
+struct DynamicsMetrics {
+  std::string mode;
+  size_t boxes = 0;            ///< of moving things, over all frames
+  size_t boxes_unmatched = 0;  ///< of a box file, that fit no frame
+  size_t frames_with_boxes = 0, frames_bridged = 0;
+  size_t points_removed = 0, points_given_back = 0;
+  size_t landmarks_removed = 0;  ///< that turned out to move
+};
+
+/// The counts of all frames.
+DynamicsMetrics DynamicsOf(const std::string& mode, const std::vector<FrameRecord>& frames);
+
 /// What metrics.json says of a run.
 struct RunMetrics {
   size_t frames = 0;   ///< colour pictures of the list, as far as the run went
   size_t tracked = 0;  ///< of these, with a pose confirmed by matches
   size_t keyframes = 0, landmarks = 0, loops = 0;
   size_t skipped = 0;  ///< pictures that could not be decoded whole
+  DynamicsMetrics dynamics;
   double wall_s = 0, cpu_s = 0, peak_rss_mb = 0;
   std::map<std::string, std::vector<double>> stage_ms;
   int64_t seed = 0;

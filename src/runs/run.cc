@@ -13,9 +13,12 @@
 #include "core/log.h"
 #include "core/stopwatch.h"
 #include "core/text.h"
+#include "datasets/masked_dataset.h"
 #include "evaluation/report.h"
 #include "geometry/trajectory.h"
 #include "runs/feed.h"
+#include "runs/make_detector.h"
+#include "runs/overlay.h"
 #include "runs/resources.h"
 #include "runs/results.h"
 #include "runs/run_folder.h"
@@ -34,6 +37,7 @@ struct Run {
   std::string camera_text;
   Stopwatch watch;
   double last_saved_s = 0;
+  size_t num_boxes_unmatched = 0;
 };
 
 RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& report, size_t num_frames) {
@@ -44,6 +48,8 @@ RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& repor
   metrics.landmarks = report.num_landmarks;
   metrics.loops = report.num_loops;
   metrics.skipped = fed.num_skipped;
+  metrics.dynamics = DynamicsOf(run.options.config.dynamics, report.frames);
+  metrics.dynamics.boxes_unmatched = run.num_boxes_unmatched;
   metrics.wall_s = run.watch.seconds();
   metrics.cpu_s = CpuSeconds();
   metrics.peak_rss_mb = PeakRssMb();
@@ -143,12 +149,11 @@ RunSummary Carry(Run& run, Slam& slam, const RunHooks& hooks) {
   return summary;
 }
 
-}  // namespace
-
-Result<RunSummary> RunSequence(const Dataset& dataset, const RunOptions& options, const RunHooks& hooks) {
-  const Status valid = ValidateConfig(options.config);
-  if (!valid) return valid.error();
+Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options, const RunHooks& hooks) {
+  auto parts = MakeParts(options.config, dataset);
+  if (!parts) return parts.error();
   Run run{dataset, options, options.out, CameraFileText(dataset.rig()), {}};
+  run.num_boxes_unmatched = parts->num_boxes_unmatched;
   if (options.out.empty()) {
     auto made = MakeDefaultRunFolder();
     if (!made) return made.error();
@@ -156,12 +161,32 @@ Result<RunSummary> RunSequence(const Dataset& dataset, const RunOptions& options
   }
   const Status usable = PrepareRunFolder(run.out);
   if (!usable) return usable.error();
-  auto slam = Slam::Create(options.config, dataset.rig());
+  std::shared_ptr<OverlayWriter> overlay;
+  if (!options.overlay.empty()) {
+    auto opened = OverlayWriter::Open(options.overlay);
+    if (!opened) return opened.error();
+    overlay = *std::move(opened);
+    parts->slam.watch = [overlay](const Watched& watched) { overlay->Write(watched); };
+  }
+  auto slam = Slam::Create(options.config, dataset.rig(), std::move(parts->slam));
   if (!slam) return slam.error();
   LogInfo("run of " + options.title + ": " + std::to_string(FramesToFeed(dataset, options.config)) + " frames, mode " +
           options.config.mode + ", seed " + std::to_string(options.config.seed) + ", camera " + dataset.rig().name +
           ", results in " + run.out);
-  return Carry(run, **slam, hooks);
+  RunSummary summary = Carry(run, **slam, hooks);
+  if (overlay && !overlay->status() && !summary.error) summary.error = overlay->status().error();
+  return summary;
+}
+
+}  // namespace
+
+Result<RunSummary> RunSequence(const Dataset& dataset, const RunOptions& options, const RunHooks& hooks) {
+  const Status valid = ValidateConfig(options.config);
+  if (!valid) return valid.error();
+  if (options.config.masks.empty()) return RunUnmasked(dataset, options, hooks);
+  const auto masked = MaskedDataset::Open(dataset, options.config.masks);
+  if (!masked) return masked.error();
+  return RunUnmasked(**masked, options, hooks);
 }
 
 }  // namespace yorb

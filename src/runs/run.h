@@ -23,6 +23,7 @@ struct RunOptions {
   std::string out;           ///< the folder for the results; empty: a new one, yorb_DATE_TIME
   std::string title;         ///< of the report: the recording's name
   Trajectory reference;      ///< the truth, for the report's error plots alone; empty: none
+  std::string overlay;       ///< a folder for pictures of what is removed; empty: none
   double save_every_s = 30;  ///< a power cut costs so much
 };
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "detection/detector.h"
 #include "features/orb_extractor.h"
 #include "mapping/mapping_options.h"
 #include "tracking/tracking_options.h"
@@ -22,9 +23,14 @@ struct Config {
   /// inline: one thread, same seed, same bits; offline: threads, no frame left out; live: frames that come too fast for
   /// the tracker are dropped
   std::string mode = "offline";
-  std::string dynamics = "off";  ///< what is done about moving things
-  int64_t seed = 1;              ///< of everything that is drawn by chance: RANSAC in relocalisation
-  int64_t max_frames = 0;        ///< only so many pictures from the start of a sequence; 0: all
+  /// what is done about moving things: off: nothing; paper: points in their boxes go; exact: the same with given boxes;
+  /// full: boxes are followed, and within them depth tells the body from the background
+  std::string dynamics = "off";
+  std::string detections;  ///< a file of boxes in the detector's place; empty: the detector
+  std::string masks;       ///< a folder of masks, or one for all frames: what is not to be used; empty: none
+  int64_t seed = 1;        ///< of everything that is drawn by chance: RANSAC in relocalisation
+  int64_t max_frames = 0;  ///< only so many pictures from the start of a sequence; 0: all
+  DetectionOptions detection;
   FeatureOptions features;
   TrackingOptions tracking;
   MappingOptions mapping;
@@ -32,9 +38,12 @@ struct Config {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
     visit("mode", self.mode, OneOf({"inline", "offline", "live"}));
-    visit("dynamics", self.dynamics, OneOf({"off"}));
+    visit("dynamics", self.dynamics, OneOf({"off", "paper", "full", "exact"}));
+    visit("detections", self.detections, AnyValue());
+    visit("masks", self.masks, AnyValue());
     visit("seed", self.seed, Range(0, 9e15));
     visit("max_frames", self.max_frames, Range(0, 9e15));
+    visit("detection", self.detection);
     visit("features", self.features);
     visit("tracking", self.tracking);
     visit("mapping", self.mapping);

@@ -10,6 +10,8 @@ void FrameLog::Add(const FrameRecord& record) {
   const std::lock_guard<std::mutex> lock(mutex_);
   records_.push_back(record);
   stage_ms_["extract"].push_back(record.extract_ms);
+  if (record.detect_ms > 0) stage_ms_["detect"].push_back(record.detect_ms);
+  stage_ms_["remove"].push_back(record.remove_ms);
   stage_ms_["track"].push_back(record.track_ms);
   stage_ms_["frame_total"].push_back(record.frame_total_ms);
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "system/pipeline.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/stopwatch.h"
 
 namespace yorb {
@@ -9,20 +12,67 @@ namespace {
 
 constexpr size_t kImagesAhead = 2, kFramesAhead = 1, kProposalsAhead = 4;
 
+Mode ModeOf(const Config& config) {
+  if (config.mode == "inline") return Mode::kInline;
+  return config.mode == "live" ? Mode::kLive : Mode::kOffline;
+}
+
+Dynamics DynamicsOf(const Config& config) {
+  if (config.dynamics == "off") return Dynamics::kOff;
+  return config.dynamics == "full" ? Dynamics::kFull : Dynamics::kPaper;
+}
+
+/// Where nothing is removed, no more is extracted than is wanted.
+FeatureOptions FeaturesOf(const Config& config) {
+  FeatureOptions features = config.features;
+  if (config.dynamics == "off" && config.masks.empty()) features.over_extraction = 1;
+  return features;
+}
+
+/// What the tracker says of a frame, with what is known from before.
+FrameRecord Joined(const FrameRecord& before, const FrameRecord& tracked, double track_ms) {
+  FrameRecord record = tracked;
+  record.num_extracted = before.num_extracted;
+  record.num_static = before.num_static;
+  record.num_removed = before.num_removed;
+  record.num_given_back = before.num_given_back;
+  record.num_boxes = before.num_boxes;
+  record.num_bridged = before.num_bridged;
+  record.extract_ms = before.extract_ms;
+  record.detect_ms = before.detect_ms;
+  record.remove_ms = before.remove_ms;
+  record.track_ms = track_ms;
+  record.frame_total_ms = before.frame_total_ms + track_ms;
+  return record;
+}
+
+/// Whether moving things took nearly all points: those that were extracted are spread over the whole picture, and what
+/// is left of it has more to give.
+bool NeedsSecondLook(const FrameRecord& record) {
+  constexpr int kShare = 4;
+  return record.num_removed > 0 && kShare * (record.num_extracted - record.num_removed) < record.num_extracted;
+}
+
 }  // namespace
 
-Pipeline::Pipeline(const Config& config, const Rig& rig, Mode mode)
-    : mode_(mode),
-      builder_(config.features, rig),
+Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
+    : mode_(ModeOf(config)),
+      parts_(std::move(parts)),
+      builder_(FeaturesOf(config), rig),
+      follows_bodies_(DynamicsOf(config) == Dynamics::kFull),
+      remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor),
       tracker_(config.tracking, config.seed),
       mapper_(config.mapping),
       images_(kImagesAhead),
+      to_detect_(1),
+      looked_(1),
       frames_(kFramesAhead),
       proposals_(kProposalsAhead),
       first_map_(1),
       view_(std::make_shared<const Map>()) {
   if (mode_ == Mode::kInline) return;
   try {
+    if (parts_.detector) Spawn(&Pipeline::RunDetection);
     Spawn(&Pipeline::RunExtraction);
     Spawn(&Pipeline::RunTracking);
     Spawn(&Pipeline::RunMapping);
@@ -58,6 +108,8 @@ void Pipeline::Spawn(void (Pipeline::*stage)()) {
 
 void Pipeline::CloseAll() {
   images_.Close();
+  to_detect_.Close();
+  looked_.Close();
   frames_.Close();
   proposals_.Close();
   first_map_.Close();
@@ -74,11 +126,63 @@ void Pipeline::Finish() {
   threads_.clear();
 }
 
-Pipeline::Extracted Pipeline::Extract(const ImageSet& images) {
+Pipeline::Looked Pipeline::Detect(const ImageSet& images) {
   const Stopwatch watch;
+  auto seen = parts_.detector->Detect(images);
+  if (!seen) {
+    fault_.Set(std::make_shared<const Error>(seen.error()));
+    CloseAll();
+    return {};
+  }
+  return {*std::move(seen), images.timestamp, watch.ms()};
+}
+
+Pipeline::Looked Pipeline::Await(const ImageSet& images) {
+  Looked nobody{{false, {}}, images.timestamp, 0};
+  if (!parts_.detector) return nobody;
+  if (mode_ == Mode::kInline) return Detect(images);
+  auto looked = mode_ == Mode::kLive ? looked_.TryPop() : looked_.Pop();
+  return looked ? *std::move(looked) : nobody;
+}
+
+Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, const Looked& looked) {
   Extracted extracted;
-  extracted.frame = builder_.Build(FrameId(next_frame_++), images);
-  extracted.extract_ms = watch.ms();
+  FrameRecord& record = extracted.record;
+  const Stopwatch watch;
+  const MovingAreas areas = remover_.Look(images, {looked.seen, looked.at});
+  std::vector<Verdict> verdicts = areas.Judge(features.keypoints);
+  record.num_extracted = static_cast<int>(features.keypoints.size());
+  record.num_removed = static_cast<int>(std::count(verdicts.begin(), verdicts.end(), Verdict::kDynamic));
+  record.num_given_back = static_cast<int>(std::count(verdicts.begin(), verdicts.end(), Verdict::kGivenBack));
+  record.num_boxes = static_cast<int>(areas.boxes().size());
+  record.num_bridged = areas.num_bridged();
+  if (parts_.watch) parts_.watch({images, features.keypoints, verdicts, areas});
+  record.remove_ms = watch.ms();
+  if (follows_bodies_ && NeedsSecondLook(record)) {
+    const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
+    features = builder_.Extract(images, may_use);
+  } else if (record.num_removed > 0) {
+    features = WithoutDynamic(std::move(features), verdicts);
+  }
+  extracted.frame = builder_.Build(FrameId(next_frame_++), images, std::move(features));
+  record.num_static = static_cast<int>(extracted.frame->size());
+  record.detect_ms = looked.detect_ms;
+  return extracted;
+}
+
+Pipeline::Extracted Pipeline::Extract(const ImageSet& images) {
+  const Stopwatch total;
+  if (parts_.detector && mode_ == Mode::kOffline) to_detect_.Push(images);
+  if (parts_.detector && mode_ == Mode::kLive) to_detect_.TryPush(images);
+  const Stopwatch watch;
+  Features features = builder_.Extract(images);
+  const double features_ms = watch.ms();
+  const Looked looked = Await(images);
+  const double waited_ms = total.ms();
+  Extracted extracted = Remove(images, std::move(features), looked);
+  // Extraction is the points, those of a second look, and, after the removal, the frame of them.
+  extracted.record.extract_ms = features_ms + total.ms() - waited_ms - extracted.record.remove_ms;
+  extracted.record.frame_total_ms = total.ms();
   return extracted;
 }
 
@@ -86,17 +190,21 @@ std::optional<Proposal> Pipeline::Track(const Extracted& extracted) {
   const Stopwatch watch;
   const MapSnapshot map = view_.Get();
   Tracked tracked = tracker_.Track(extracted.frame, *map, num_pending_);
-  tracked.record.extract_ms = extracted.extract_ms;
-  tracked.record.track_ms = watch.ms();
-  tracked.record.frame_total_ms = tracked.record.extract_ms + tracked.record.track_ms;
-  log_.Add(tracked.record);
+  log_.Add(Joined(extracted.record, tracked.record, watch.ms()));
   return std::move(tracked.proposal);
 }
 
 void Pipeline::Handle(const Proposal& proposal, const MapperHooks& hooks) { log_.Add(mapper_.Handle(proposal, hooks)); }
 
+void Pipeline::RunDetection() {
+  while (const auto images = to_detect_.Pop()) looked_.Push(Detect(*images));
+  looked_.Close();
+}
+
 void Pipeline::RunExtraction() {
   while (const auto images = images_.Pop()) frames_.Push(Extract(*images));
+  to_detect_.Close();
+  looked_.Close();  // live: the last boxes find nobody who waits for them
   frames_.Close();
 }
 

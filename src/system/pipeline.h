@@ -10,6 +10,7 @@
 
 #include "core/channel.h"
 #include "core/latest.h"
+#include "dynamics/remover.h"
 #include "features/frame_builder.h"
 #include "mapping/mapper.h"
 #include "system/frame_log.h"
@@ -20,12 +21,14 @@ namespace yorb {
 
 /// The stages and the streams between them; the only place where stages meet, and where threads live.
 ///
-///   images --extract--> frames --track--> proposals --map~~~> view (read by track)
+///   images --+--extract--+--remove--> frames --track--> proposals --map~~~> view (read by track)
+///            +--detect---+
 ///
-/// Inline mode calls the same functions one after the other. Offline and live differ in the policy of the first stream.
+/// Inline mode calls the same functions one after the other. Offline and live differ in the policy of the first stream
+/// and in the detector's: offline each frame waits for its own boxes, live it takes the newest there are.
 class Pipeline {
  public:
-  Pipeline(const Config& config, const Rig& rig, Mode mode);
+  Pipeline(const Config& config, const Rig& rig, SlamParts parts);
   ~Pipeline();
 
   bool Push(ImageSet images);
@@ -42,25 +45,41 @@ class Pipeline {
   /// A frame on its way to the tracker.
   struct Extracted {
     FramePtr frame;
-    double extract_ms = 0;
+    FrameRecord record;  ///< what is known of it so far
   };
 
+  /// What the detector said, and of which picture.
+  struct Looked {
+    Detections seen;
+    Timestamp at;
+    double detect_ms = 0;
+  };
+
+  Looked Detect(const ImageSet& images);
+  Looked Await(const ImageSet& images);
   Extracted Extract(const ImageSet& images);
+  Extracted Remove(const ImageSet& images, Features features, const Looked& looked);
   std::optional<Proposal> Track(const Extracted& extracted);
   void Handle(const Proposal& proposal, const MapperHooks& hooks);
 
   void Spawn(void (Pipeline::*stage)());
   void CloseAll();
+  void RunDetection();
   void RunExtraction();
   void RunTracking();
   void RunMapping();
 
   const Mode mode_;
+  SlamParts parts_;
   FrameBuilder builder_;
+  const bool follows_bodies_;  ///< beyond the paper
+  Remover remover_;
   Tracker tracker_;
   Mapper mapper_;
 
   Channel<ImageSet> images_;
+  Channel<ImageSet> to_detect_;
+  Channel<Looked> looked_;
   Channel<Extracted> frames_;
   Channel<Proposal> proposals_;
   Channel<MapSnapshot> first_map_;      ///< the tracker waits for the map to begin

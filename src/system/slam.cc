@@ -8,11 +8,6 @@
 namespace yorb {
 namespace {
 
-Mode ModeOf(const Config& config) {
-  if (config.mode == "inline") return Mode::kInline;
-  return config.mode == "live" ? Mode::kLive : Mode::kOffline;
-}
-
 bool IsDepthFor(const DepthImage& depth, const cv::Mat& grey) {
   const int type = depth.pixels.type();
   return depth.empty() || ((type == CV_16UC1 || type == CV_32FC1) && depth.pixels.size() == grey.size());
@@ -22,7 +17,7 @@ std::string SizeText(int width, int height) { return std::to_string(width) + "x"
 
 }  // namespace
 
-Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig) {
+Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig, SlamParts parts) {
   if (const Status valid = ValidateConfig(config); !valid) return valid.error();
   if (rig.camera.width <= 0 || rig.camera.height <= 0) {
     return BadInput("the camera " + rig.name + " states no picture size; give it width and height");
@@ -30,11 +25,11 @@ Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig)
   if (!(rig.camera.fx > 0) || !(rig.camera.fy > 0))
     return BadInput("the camera " + rig.name + " needs fx and fy above 0");
   if (!(rig.baseline_px > 0)) return BadInput("the camera " + rig.name + " needs a baseline above 0");
-  return std::unique_ptr<Slam>(new Slam(config, rig));
+  return std::unique_ptr<Slam>(new Slam(config, rig, std::move(parts)));
 }
 
-Slam::Slam(const Config& config, const Rig& rig)
-    : pipeline_(std::make_unique<Pipeline>(config, rig, ModeOf(config))),
+Slam::Slam(const Config& config, const Rig& rig, SlamParts parts)
+    : pipeline_(std::make_unique<Pipeline>(config, rig, std::move(parts))),
       width_(rig.camera.width),
       height_(rig.camera.height) {}
 
@@ -55,6 +50,9 @@ Result<bool> Slam::Push(ImageSet images) {
   if (newest_ && images.timestamp <= *newest_) {
     return BadInput("the picture at " + ToString(images.timestamp) + " s is not later than the one before, at " +
                     ToString(*newest_) + " s");
+  }
+  if (!images.ignored.empty() && (images.ignored.type() != CV_8UC1 || images.ignored.size() != images.grey.size())) {
+    return BadInput("the mask at " + ToString(images.timestamp) + " s is not 8-bit grey, or not of the picture's size");
   }
   newest_ = images.timestamp;
   const bool is_pushed = pipeline_->Push(std::move(images));

@@ -5,6 +5,7 @@
 // of frames. Runs on: the caller's thread and, but for inline mode, its own. May not: read pictures or write results.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,6 +14,8 @@
 
 #include "camera/image_set.h"
 #include "core/result.h"
+#include "detection/detector.h"
+#include "dynamics/remover.h"
 #include "geometry/trajectory.h"
 #include "map/event.h"
 #include "system/config.h"
@@ -34,11 +37,26 @@ struct SlamReport {
   size_t num_loops = 0;
 };
 
+/// What was decided about the points of one picture.
+struct Watched {
+  const ImageSet& images;
+  const std::vector<Keypoint>& points;   ///< all that were extracted
+  const std::vector<Verdict>& verdicts;  ///< one a point
+  const MovingAreas& areas;
+};
+
+/// What a system gets from outside.
+struct SlamParts {
+  std::unique_ptr<Detector> detector;            ///< null: nothing is detected
+  MotionTable motions = MotionTable::Default();  ///< how the classes of its boxes move
+  std::function<void(const Watched&)> watch;     ///< called for each picture, on the thread that extracts; may be empty
+};
+
 /// A SLAM system for one camera.
 class Slam {
  public:
   /// Bad input where the configuration or the rig cannot work.
-  static Result<std::unique_ptr<Slam>> Create(const Config& config, const Rig& rig);
+  static Result<std::unique_ptr<Slam>> Create(const Config& config, const Rig& rig, SlamParts parts = {});
 
   /// Ends the threads; what was pushed and not yet worked off is dropped (call Finish first to keep it).
   ~Slam();
@@ -64,7 +82,7 @@ class Slam {
   size_t NumFramesDone() const;
 
  private:
-  Slam(const Config& config, const Rig& rig);
+  Slam(const Config& config, const Rig& rig, SlamParts parts);
 
   std::unique_ptr<Pipeline> pipeline_;
   int width_ = 0, height_ = 0;

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/masked_dataset.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "core/log.h"
+#include "core/text.h"
+#include "datasets/picture_file.h"
+
+namespace yorb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The masks of a folder, by name without ending and, where the name is one, by time stamp.
+struct MaskFolder {
+  std::map<std::string, std::string> by_name;
+  std::map<Timestamp, std::string> by_time;
+};
+
+MaskFolder ListMasks(const std::string& folder) {
+  MaskFolder masks;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() != ".png") continue;
+    const std::string name = entry.path().stem().string();
+    masks.by_name[name] = entry.path().string();
+    if (const auto time = ParseTimestamp(name)) masks.by_time[*time] = entry.path().string();
+  }
+  return masks;
+}
+
+std::string MaskOf(const MaskFolder& masks, const Dataset& source, size_t i) {
+  const auto by_name = masks.by_name.find(fs::path(source.PictureName(i)).stem().string());
+  if (by_name != masks.by_name.end()) return by_name->second;
+  const auto by_time = masks.by_time.find(source.TimeOf(i));
+  return by_time == masks.by_time.end() ? std::string() : by_time->second;
+}
+
+/// Not 0 where any channel of the mask is not.
+cv::Mat ToMask(const cv::Mat& stored) {
+  cv::Mat any(stored.size(), CV_8UC1, cv::Scalar(0));
+  const size_t bytes = stored.elemSize();
+  // A fourth channel is transparency: it hides nothing and marks nothing.
+  const size_t used = stored.channels() == 4 ? bytes / 4 * 3 : bytes;
+  for (int y = 0; y < stored.rows; ++y) {
+    const uint8_t* from = stored.ptr(y);
+    for (int x = 0; x < stored.cols; ++x) {
+      for (size_t k = 0; k < used; ++k) any.at<uint8_t>(y, x) |= from[static_cast<size_t>(x) * bytes + k];
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<MaskedDataset>> MaskedDataset::Open(const Dataset& source, const std::string& masks) {
+  std::unique_ptr<MaskedDataset> masked(new MaskedDataset(source));
+  std::error_code ignored;
+  if (fs::is_regular_file(masks, ignored)) {
+    masked->files_.assign(source.size(), masks);
+    return masked;
+  }
+  if (!fs::is_directory(masks, ignored)) return BadInput("--masks: there is no file or folder " + masks);
+  const MaskFolder folder = ListMasks(masks);
+  size_t num_without = 0;
+  for (size_t i = 0; i < source.size(); ++i) {
+    masked->files_.push_back(MaskOf(folder, source, i));
+    num_without += masked->files_.back().empty();
+  }
+  if (num_without == source.size()) {
+    return BadInput("--masks: none of the " + std::to_string(folder.by_name.size()) + " PNGs in " + masks +
+                    " is named as a colour picture or by its time stamp" +
+                    (source.size() > 0 ? ", such as " + fs::path(source.PictureName(0)).stem().string() + ".png" : ""));
+  }
+  if (num_without > 0) {
+    LogWarning("masks-missing", std::to_string(num_without) + " of " + std::to_string(source.size()) +
+                                    " pictures have no mask in " + masks + " and are used as a whole");
+  }
+  return masked;
+}
+
+Result<LoadedFrame> MaskedDataset::Load(size_t i) const {
+  auto frame = source_.Load(i);
+  if (!frame || !frame->images || files_[i].empty()) return frame;
+  const StoredPicture stored = ReadPictureFile(files_[i]);
+  if (!stored.fault.empty()) return BadInput("the mask " + files_[i] + " " + stored.fault);
+  if (stored.pixels.size() != frame->images->grey.size()) {
+    return BadInput("the mask " + files_[i] + " is " + SizeText(stored.pixels.size()) + ", its picture is " +
+                    SizeText(frame->images->grey.size()));
+  }
+  frame->images->ignored = ToMask(stored.pixels);
+  return frame;
+}
+
+}  // namespace yorb

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/body.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace yorb {
+namespace {
+
+constexpr float kBinM = 0.05f;        // of the histogram of depths
+constexpr int kBins = 240;            // up to 12 m, farther than such sensors see
+constexpr int kWindowBins = 6;        // 0.3 m: a torso
+constexpr float kFrontM = 0.25f;      // from the plane of a body to its arms
+constexpr float kBackM = 0.15f;       // and to its back
+constexpr double kGrow = 0.1;         // of the box, on each side
+constexpr double kRing = 0.25;        // width of the surroundings, of the box's sides
+constexpr float kLeastMeasured = 24;  // cells
+constexpr float kMemory = 1.5f;       // how many times more being near the last depth is worth
+constexpr float kSameM = 0.4f;        // how far a body may go from picture to picture
+constexpr uint8_t kBody = 1;
+
+using Histogram = std::array<float, kBins>;
+
+size_t BinOf(float metres) { return static_cast<size_t>(std::min(static_cast<int>(metres / kBinM), kBins - 1)); }
+
+float DepthOf(int bin) { return (static_cast<float>(bin) + 0.5f) * kBinM; }
+
+/// Depths in a box, those in the middle columns counting more.
+Histogram Inside(const BodySearch& search, const CellRange& range) {
+  Histogram counts{};
+  const float middle = 0.5f * static_cast<float>(range.left + range.right - 1);
+  const float half = 0.5f * static_cast<float>(range.right - range.left);
+  for (int row = range.top; row < range.bottom; ++row) {
+    for (int column = range.left; column < range.right; ++column) {
+      const size_t cell = search.depth.IndexOf(column, row);
+      const float metres = search.depth.At(column, row);
+      const float off = (static_cast<float>(column) - middle) / half;
+      if (metres > 0 && search.taken[cell] == 0) counts[BinOf(metres)] += 1.2f - off * off;
+    }
+  }
+  return counts;
+}
+
+/// Measured cells of a box, those that are taken included.
+float CountMeasured(const DepthCells& depth, const CellRange& range) {
+  float count = 0;
+  for (int row = range.top; row < range.bottom; ++row) {
+    for (int column = range.left; column < range.right; ++column) count += depth.At(column, row) > 0 ? 1.f : 0.f;
+  }
+  return count;
+}
+
+/// Depths around a box that lie in no other box.
+Histogram Around(const BodySearch& search, const Box& box) {
+  const CellRange inner = search.depth.RangeOf(box);
+  const CellRange outer = search.depth.RangeOf(box, kRing * std::min(box.width(), box.height()));
+  Histogram counts{};
+  for (int row = outer.top; row < outer.bottom; ++row) {
+    for (int column = outer.left; column < outer.right; ++column) {
+      if (row >= inner.top && row < inner.bottom && column == inner.left) column = inner.right;
+      if (column >= outer.right) break;
+      const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
+      const bool is_in_box = std::any_of(search.bodies.begin(), search.bodies.end(), [&](const Box& other) {
+        return x >= other.left && x < other.right && y >= other.top && y < other.bottom;
+      });
+      const float metres = search.depth.At(column, row);
+      if (metres > 0 && !is_in_box) counts[BinOf(metres)] += 1;
+    }
+  }
+  return counts;
+}
+
+float Sum(const Histogram& counts, int begin, int end) {
+  float sum = 0;
+  for (int i = std::max(begin, 0); i < std::min(end, kBins); ++i) sum += counts[static_cast<size_t>(i)];
+  return sum;
+}
+
+/// By how much a bin and its neighbours are denser in the box than around it, as shares.
+Histogram Excess(const Histogram& inside, const Histogram& around, float num_inside) {
+  const float num_around = std::max(Sum(around, 0, kBins), kLeastMeasured);
+  Histogram excess{};
+  for (int i = 0; i < kBins; ++i) {
+    const int reach = DepthOf(i) > 2.5f ? 2 : 1;  // the noise of such sensors grows with the square of depth
+    const auto width = static_cast<float>(2 * reach + 1);
+    excess[static_cast<size_t>(i)] =
+        (Sum(inside, i - reach, i + reach + 1) / num_inside - Sum(around, i - reach, i + reach + 1) / num_around) /
+        width;
+  }
+  return excess;
+}
+
+/// Whether a measured depth belongs to a body: arms reach forward more than backs reach back.
+bool IsOn(const BodyPlane& body, int column, int row, float metres) {
+  const float off = metres - body.DepthAt(column, row);
+  const float noise = 0.01f * metres * metres;
+  return metres > 0 && off > -(kFrontM + noise) && off < kBackM + noise;
+}
+
+/// The plane through what lies at about its depth in a box, starting with one that faces the camera: each turn takes in
+/// what lies near the plane of the turn before, so that it follows the body up and down.
+BodyPlane FitPlane(const BodySearch& search, const CellRange& range, float metres) {
+  constexpr int kTurns = 8, kStep = 2;
+  constexpr float kStiffness = 2e-4f;  // of the tilt, a share of the cells
+  BodyPlane body;
+  body.inverse_depth = {1 / metres, 0, 0};
+  const Eigen::Vector2f middle(0.5f * static_cast<float>(range.left + range.right - 1),
+                               0.5f * static_cast<float>(range.top + range.bottom - 1));
+  const Eigen::Vector2f half(0.5f * static_cast<float>(range.right - range.left),
+                             0.5f * static_cast<float>(range.bottom - range.top));
+  for (int turn = 0; turn < kTurns; ++turn) {
+    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
+    Eigen::Vector3f products = Eigen::Vector3f::Zero();
+    for (int row = range.top; row < range.bottom; row += kStep) {
+      for (int column = range.left; column < range.right; column += kStep) {
+        const float depth = search.depth.At(column, row);
+        if (search.taken[search.depth.IndexOf(column, row)] != 0 || !IsOn(body, column, row, depth)) continue;
+        const float x = (static_cast<float>(column) - middle.x()) / half.x();
+        const Eigen::Vector3f place(1, x, (static_cast<float>(row) - middle.y()) / half.y());
+        const float weight = 1.2f - x * x;
+        squares += weight * place * place.transpose();
+        products += weight / depth * place;
+      }
+    }
+    const float stiffness = kStiffness * squares(0, 0) + 1e-6f;
+    squares(1, 1) += stiffness, squares(2, 2) += stiffness;
+    if (squares(0, 0) < 1) break;
+    const Eigen::Vector3f plane = squares.ldlt().solve(products);
+    body.inverse_depth = {plane[0] - plane[1] * middle.x() / half.x() - plane[2] * middle.y() / half.y(),
+                          plane[1] / half.x(), plane[2] / half.y()};
+  }
+  body.metres = body.DepthAt((range.left + range.right) / 2, (range.top + range.bottom) / 2);
+  return body;
+}
+
+/// Marks what hangs together with the cells of `edge` at the body's depth, within `range`.
+void Spread(CellMask& mask, const DepthCells& depth, const CellRange& range, const BodyPlane& body,
+            std::vector<std::pair<int, int>> edge) {
+  constexpr std::pair<int, int> kSteps[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  while (!edge.empty()) {
+    const auto [column, row] = edge.back();
+    edge.pop_back();
+    for (const auto& [dx, dy] : kSteps) {
+      const int x = column + dx, y = row + dy;
+      if (x < range.left || x >= range.right || y < range.top || y >= range.bottom) continue;
+      uint8_t& cell = mask[depth.IndexOf(x, y)];
+      const float metres = depth.At(x, y);
+      if (cell == kBody || !IsOn(body, x, y, metres)) continue;
+      cell = kBody;
+      edge.emplace_back(x, y);
+    }
+  }
+}
+
+/// Whether a measured cell near this one is body, or none near it was measured at all.
+bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int row) {
+  constexpr int kReach = 3;
+  bool was_measured = false;
+  for (int y = std::max(row - kReach, 0); y <= std::min(row + kReach, depth.rows() - 1); ++y) {
+    for (int x = std::max(column - kReach, 0); x <= std::min(column + kReach, depth.columns() - 1); ++x) {
+      if (depth.At(x, y) <= 0) continue;
+      if (mask[depth.IndexOf(x, y)] == kBody) return true;
+      was_measured = true;
+    }
+  }
+  return !was_measured;
+}
+
+}  // namespace
+
+std::optional<BodyPlane> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres) {
+  if (search.depth.empty()) return std::nullopt;
+  const CellRange range = search.depth.RangeOf(box);
+  const Histogram inside = Inside(search, range), around = Around(search, box);
+  const float num_measured = CountMeasured(search.depth, range);
+  if (num_measured < kLeastMeasured) return std::nullopt;
+  const Histogram excess = Excess(inside, around, num_measured);
+  int best = 0;
+  float best_score = -1e9f;
+  for (int begin = 0; begin + kWindowBins <= kBins; ++begin) {
+    const bool is_known = last_metres && std::abs(DepthOf(begin + kWindowBins / 2) - *last_metres) < kSameM;
+    const float score = Sum(excess, begin, begin + kWindowBins) * (is_known ? kMemory : 1.f);
+    if (score > best_score) best_score = score, best = begin;
+  }
+  const auto first = excess.begin() + best;
+  const auto peak = std::max_element(first, first + kWindowBins);
+  BodyPlane body = FitPlane(search, range, DepthOf(static_cast<int>(peak - excess.begin())));
+  body.score = Sum(excess, best, best + kWindowBins);
+  body.num_cells = body.score * num_measured;
+  return body;
+}
+
+CellMask WithBody(CellMask mask, const DepthCells& depth, const Box& box, const BodyPlane& body) {
+  const CellRange range = depth.RangeOf(box);
+  std::vector<std::pair<int, int>> edge;
+  for (int row = range.top; row < range.bottom; ++row) {
+    for (int column = range.left; column < range.right; ++column) {
+      if (!IsOn(body, column, row, depth.At(column, row))) continue;
+      mask[depth.IndexOf(column, row)] = kBody;
+      edge.emplace_back(column, row);
+    }
+  }
+  const double margin = std::max(kGrow * std::min(box.width(), box.height()), 2.0 * kDepthCellPx);
+  Spread(mask, depth, depth.RangeOf(box, margin), body, std::move(edge));
+  const CellMask measured = mask;
+  for (int row = range.top; row < range.bottom; ++row) {
+    for (int column = range.left; column < range.right; ++column) {
+      if (depth.At(column, row) <= 0 && MayBeBody(measured, depth, column, row)) {
+        mask[depth.IndexOf(column, row)] = kBody;
+      }
+    }
+  }
+  return mask;
+}
+
+}  // namespace yorb

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "dynamics/depth_cells.h"
+
+namespace yorb {
+
+/// Which cells of a depth picture belong to something that moves: not 0.
+using CellMask = std::vector<uint8_t>;
+
+/// Where the body in a box is: a plane, whose inverse depth is an affine function of the place in the picture. Who
+/// stands upright before a camera that looks down is nearer at the head than at the feet.
+struct BodyPlane {
+  Eigen::Vector3f inverse_depth = Eigen::Vector3f::Zero();  ///< 1/m: at column 0 and row 0; for each column; each row
+  float metres = 0;                                         ///< depth in the middle of the box
+  float score = 0;      ///< how much more of the box than of its surroundings lies at its depth, 0 to 1
+  float num_cells = 0;  ///< the same as a number of cells
+
+  /// Metres; infinite or negative where the plane is not seen.
+  float DepthAt(int column, int row) const {
+    return 1 / inverse_depth.dot(Eigen::Vector3f(1, static_cast<float>(column), static_cast<float>(row)));
+  }
+};
+
+/// What surrounds the search for the body in a box.
+struct BodySearch {
+  const DepthCells& depth;
+  const CellMask& taken;           ///< cells of bodies that are known already; they count for nothing
+  const std::vector<Box>& bodies;  ///< all boxes with bodies: within them there are no surroundings
+};
+
+/// The body in a box: what fills the middle of the box and, unlike the wall behind and the desk in front,
+/// does not go on outside of it. `last_metres`: where it was in the picture before, if it was seen there. Nothing where
+/// too little was measured.
+std::optional<BodyPlane> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres);
+
+/// Marks in `mask` (a value for each cell) the body at `body`: what lies near its plane in the box, and what hangs
+/// together with that in the box grown by a tenth, since boxes are not exact. Cells of the box where nothing was
+/// measured count as body unless all that surrounds them is not.
+CellMask WithBody(CellMask mask, const DepthCells& depth, const Box& box, const BodyPlane& body);
+
+}  // namespace yorb

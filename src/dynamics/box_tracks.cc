@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/box_tracks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace yorb {
+namespace {
+
+constexpr double kLeastOverlap = 0.25;  // IoU of a box and where it was expected
+constexpr int kSeenToBridge = 2;        // pictures; one false box is gone with its picture
+constexpr double kBridgeS = 0.5;        // how long a detector may miss what it saw
+constexpr double kUnlookedS = 1.0;      // the same while nobody looks: boxes of a slow detector
+constexpr double kSmoothing = 0.5;      // of velocities
+
+double IoU(const Box& a, const Box& b) {
+  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
+  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+  if (width <= 0 || height <= 0) return 0;
+  const double both = width * height;
+  return both / (a.width() * a.height() + b.width() * b.height() - both);
+}
+
+/// `box` after `seconds` of the track's motion.
+Box Moved(Box box, const BoxTrack& track, double seconds) {
+  box.left += track.x_per_s * seconds, box.right += track.x_per_s * seconds;
+  box.top += track.y_per_s * seconds, box.bottom += track.y_per_s * seconds;
+  return box;
+}
+
+/// `track` seen at `box` in the picture of `at`, told to the one of `now`.
+void See(BoxTrack& track, const SortedBox& seen, Timestamp at, Timestamp now) {
+  const double seconds = SecondsBetween(track.seen_at, at);
+  if (track.num_seen > 0 && seconds > 0) {
+    const Box &from = track.seen_box, &to = seen.box;
+    const double x_per_s = (to.left + to.right - from.left - from.right) / 2 / seconds;
+    const double y_per_s = (to.top + to.bottom - from.top - from.bottom) / 2 / seconds;
+    track.x_per_s += kSmoothing * (x_per_s - track.x_per_s);
+    track.y_per_s += kSmoothing * (y_per_s - track.y_per_s);
+  }
+  track.seen_box = seen.box;
+  track.seen_at = at;
+  track.at = {Moved(seen.box, track, SecondsBetween(at, now)), seen.motion};
+  track.last_seen = now;
+  ++track.num_seen;
+}
+
+}  // namespace
+
+void BoxTracks::MoveTo(Timestamp now, int width, int height) {
+  const double seconds = last_ ? SecondsBetween(*last_, now) : 0;
+  for (BoxTrack& track : tracks_) track.at.box = Cut(Moved(track.at.box, track, seconds), width, height);
+  last_ = now;
+}
+
+void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>& seen) {
+  const double age_s = SecondsBetween(at, now);
+  struct Pair {
+    double overlap;
+    size_t track, box;
+  };
+  std::vector<Pair> pairs;
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    for (size_t b = 0; b < seen.size(); ++b) {
+      const double overlap = IoU(Moved(tracks_[t].at.box, tracks_[t], -age_s), seen[b].box);
+      if (overlap >= kLeastOverlap && tracks_[t].at.motion == seen[b].motion) pairs.push_back({overlap, t, b});
+    }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.overlap > b.overlap; });
+  std::vector<bool> is_track_done(tracks_.size()), is_box_done(seen.size());
+  for (const Pair& pair : pairs) {
+    if (is_track_done[pair.track] || is_box_done[pair.box]) continue;
+    is_track_done[pair.track] = is_box_done[pair.box] = true;
+    See(tracks_[pair.track], seen[pair.box], at, now);
+  }
+  for (size_t b = 0; b < seen.size(); ++b) {
+    if (is_box_done[b] || seen[b].motion == Motion::kStatic) continue;
+    BoxTrack track;
+    See(track, seen[b], at, now);
+    tracks_.push_back(track);
+  }
+}
+
+void BoxTracks::Update(Timestamp now, const SeenAt& looked, const MotionTable& table, int width, int height) {
+  MoveTo(now, width, height);
+  if (looked.seen.has_looked) {
+    last_look_ = now;
+    Match(now, looked.at, SortByMotion(looked.seen.boxes, table));
+  }
+  // A box is given up when the detector looked for long enough without finding it, or nobody looked for longer.
+  const auto is_over = [&](const BoxTrack& track) {
+    if (!HasArea(track.at.box)) return true;
+    if (!track.IsBridged(now)) return false;
+    const bool was_missed = track.last_seen < last_look_;
+    if (was_missed && track.num_seen < kSeenToBridge) return true;
+    return SecondsBetween(track.last_seen, now) > (was_missed ? kBridgeS : kUnlookedS);
+  };
+  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), is_over), tracks_.end());
+}
+
+}  // namespace yorb

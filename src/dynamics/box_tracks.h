@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/time.h"
+#include "detection/detector.h"
+#include "dynamics/removal_rules.h"
+
+namespace yorb {
+
+/// What a detector said, and of which picture.
+struct SeenAt {
+  Detections seen;
+  Timestamp at;  ///< not later than the picture that is judged
+};
+
+/// Something that moves, followed from picture to picture.
+struct BoxTrack {
+  SortedBox at;                     ///< where it is now: seen there, or expected there
+  int num_seen = 0;                 ///< in how many pictures
+  Timestamp last_seen;              ///< the picture for which the detector last had news of it
+  Box seen_box;                     ///< where the detector saw it then,
+  Timestamp seen_at;                ///< and in which picture, which may be an older one
+  std::optional<float> depth_m;     ///< of its body where it was last found; for whoever looks for bodies
+  double x_per_s = 0, y_per_s = 0;  ///< motion of the box's middle, px/s
+
+  bool IsBridged(Timestamp now) const { return last_seen < now; }
+};
+
+/// Bridges what a detector misses: a box that was seen in two pictures stays, moving on at constant velocity, for a
+/// while after the detector lost it. Static things are not followed: their boxes are only those of this picture.
+class BoxTracks {
+ public:
+  /// Takes what was seen for the picture at `now` (later than the time before); boxes of an older picture move on to
+  /// now with what they belong to. Afterwards `tracks` holds all that must be assumed to be there. `width`, `height`:
+  /// of the picture, px.
+  void Update(Timestamp now, const SeenAt& looked, const MotionTable& table, int width, int height);
+
+  std::vector<BoxTrack>& tracks() { return tracks_; }
+
+ private:
+  void MoveTo(Timestamp now, int width, int height);
+  void Match(Timestamp now, Timestamp at, const std::vector<SortedBox>& seen);
+
+  std::vector<BoxTrack> tracks_;
+  std::optional<Timestamp> last_;
+  Timestamp last_look_;
+};
+
+}  // namespace yorb

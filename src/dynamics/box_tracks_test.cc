@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/box_tracks.h"
+
+#include <gtest/gtest.h>
+
+namespace yorb {
+namespace {
+
+constexpr double kFrameS = 1.0 / 30;
+
+Timestamp FrameTime(int i) { return {static_cast<int64_t>(i * kFrameS * 1e9)}; }
+
+/// Someone who walks to the right by 5 px a frame.
+Box Walker(int i) { return {"person", 0.9, 100.0 + 5 * i, 50, 180.0 + 5 * i, 300}; }
+
+class BoxTracksTest : public testing::Test {
+ protected:
+  void See(int i, std::vector<Box> boxes) { Tell(i, {{true, std::move(boxes)}, FrameTime(i)}); }
+  void Tell(int i, const SeenAt& looked) { tracks_.Update(FrameTime(i), looked, MotionTable::Default(), 640, 480); }
+  size_t Count() { return tracks_.tracks().size(); }
+
+  BoxTracks tracks_;
+};
+
+TEST_F(BoxTracksTest, WhatIsSeenIsThereAtOnce) {
+  See(0, {Walker(0)});
+  ASSERT_EQ(Count(), 1u);
+  EXPECT_FALSE(tracks_.tracks()[0].IsBridged(FrameTime(0)));
+}
+
+TEST_F(BoxTracksTest, AMissedBoxMovesOnForAWhile) {
+  for (int i = 0; i < 10; ++i) See(i, {Walker(i)});
+  for (int i = 10; i < 18; ++i) See(i, {});
+  ASSERT_EQ(Count(), 1u);
+  EXPECT_TRUE(tracks_.tracks()[0].IsBridged(FrameTime(17)));
+  EXPECT_NEAR(tracks_.tracks()[0].at.box.left, Walker(17).left, 6);
+  for (int i = 18; i < 40; ++i) See(i, {});
+  EXPECT_EQ(Count(), 0u);
+}
+
+TEST_F(BoxTracksTest, OneFalseBoxIsGoneWithItsPicture) {
+  See(0, {Walker(0)});
+  See(1, {});
+  EXPECT_EQ(Count(), 0u);
+}
+
+TEST_F(BoxTracksTest, NobodyWhoLooksIsNotNobodyThere) {
+  See(0, {Walker(0)});
+  See(1, {Walker(1)});
+  for (int i = 2; i < 25; ++i) Tell(i, {{false, {}}, FrameTime(i)});
+  EXPECT_EQ(Count(), 1u);
+  for (int i = 25; i < 45; ++i) Tell(i, {{false, {}}, FrameTime(i)});
+  EXPECT_EQ(Count(), 0u);
+}
+
+TEST_F(BoxTracksTest, ABoxThatComesLateIsMovedToNow) {
+  for (int i = 0; i < 10; ++i) See(i, {Walker(i)});
+  for (int i = 10; i < 20; ++i) Tell(i, {{true, {Walker(i - 3)}}, FrameTime(i - 3)});
+  ASSERT_EQ(Count(), 1u) << "the same walker all the time";
+  EXPECT_NEAR(tracks_.tracks()[0].at.box.left, Walker(19).left, 3);
+}
+
+TEST_F(BoxTracksTest, WhoLeavesThePictureIsGone) {
+  for (int i = 0; i < 3; ++i) See(i, {{"person", 0.9, 600.0 + 15 * i, 0, 640, 480}});
+  See(3, {}), See(4, {});
+  EXPECT_EQ(Count(), 0u);
+}
+
+TEST_F(BoxTracksTest, StaticThingsAreNotFollowed) {
+  See(0, {{"tv", 0.9, 10, 10, 100, 100}});
+  EXPECT_EQ(Count(), 0u);
+}
+
+}  // namespace
+}  // namespace yorb

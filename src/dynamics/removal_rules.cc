@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/removal_rules.h"
+
+#include <algorithm>
+
+namespace yorb {
+namespace {
+
+/// Pixels are squares around whole coordinates; a box holds the pixels whose centres it covers.
+bool Holds(const Box& box, const Keypoint& point) {
+  const double x = static_cast<double>(point.x) + 0.5, y = static_cast<double>(point.y) + 0.5;
+  return x >= box.left && x < box.right && y >= box.top && y < box.bottom;
+}
+
+}  // namespace
+
+const char* ToString(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kDynamic:
+      return "dynamic";
+    case Verdict::kGivenBack:
+      return "given_back";
+    default:
+      return "static";
+  }
+}
+
+std::vector<SortedBox> SortByMotion(const std::vector<Box>& boxes, const MotionTable& table) {
+  std::vector<SortedBox> sorted;
+  for (const Box& box : boxes) sorted.push_back({box, table.Of(box.name)});
+  return sorted;
+}
+
+bool Overlap(const Box& a, const Box& b) {
+  return std::max(a.left, b.left) < std::min(a.right, b.right) && std::max(a.top, b.top) < std::min(a.bottom, b.bottom);
+}
+
+BoxRules::BoxRules(const std::vector<SortedBox>& boxes) {
+  for (const SortedBox& sorted : boxes) {
+    if (sorted.motion == Motion::kHigh) high_.push_back(sorted.box);
+    if (sorted.motion == Motion::kStatic) still_.push_back(sorted.box);
+  }
+  for (const SortedBox& sorted : boxes) {
+    const bool touches = std::any_of(high_.begin(), high_.end(), [&](const Box& h) { return Overlap(h, sorted.box); });
+    if (sorted.motion == Motion::kLow && touches) carried_.push_back(sorted.box);
+  }
+}
+
+Verdict BoxRules::Judge(const Keypoint& point) const {
+  const auto is_in = [&](const std::vector<Box>& boxes) {
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return Holds(box, point); });
+  };
+  return (is_in(high_) && !is_in(still_)) || is_in(carried_) ? Verdict::kDynamic : Verdict::kStatic;
+}
+
+}  // namespace yorb

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/remover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dynamics/body.h"
+
+namespace yorb {
+namespace {
+
+constexpr float kCarriedReachM = 0.5f;  // from a body to what it carries or sits on
+constexpr float kLeastScore = 0.15f;    // of a body that stands out from its surroundings
+constexpr float kLeastScoreBridged = 0.25f;
+constexpr double kMostTaken = 0.5;  // of a box by bodies of other boxes, so that it may have one of its own
+constexpr float kBridgedM = 0.2f;   // how far a body that is only expected may be from where it was
+constexpr double kEdgePx = 2;       // how far depth and colour may disagree on an outline
+constexpr double kRingPx = 3;       // of FAST: a corner so near to an outline is made by it
+
+/// Marks all of a box.
+CellMask WithAllOf(CellMask mask, const DepthCells& depth, const Box& box) {
+  const CellRange range = depth.RangeOf(box);
+  for (int row = range.top; row < range.bottom; ++row) {
+    for (int column = range.left; column < range.right; ++column) mask[depth.IndexOf(column, row)] = 1;
+  }
+  return mask;
+}
+
+/// Whether a body stands out; one that the detector did not see just now must be where it was.
+bool IsBelievable(const BoxTrack& track, const BodyPlane& body, Timestamp now) {
+  if (!track.IsBridged(now)) return body.score >= kLeastScore;
+  const bool is_there = track.depth_m && std::abs(body.metres - *track.depth_m) < kBridgedM;
+  return is_there && body.score >= kLeastScoreBridged;
+}
+
+/// How much of a box is known as the body of others.
+double ShareTaken(const CellMask& mask, const CellRange& range, const DepthCells& depth) {
+  int taken = 0;
+  for (int row = range.top; row < range.bottom; ++row) {
+    for (int column = range.left; column < range.right; ++column) taken += mask[depth.IndexOf(column, row)];
+  }
+  return range.size() > 0 ? static_cast<double>(taken) / range.size() : 1;
+}
+
+/// Takes the body that explains most, of those that the detector saw if there is one, out of what is open.
+BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Timestamp now,
+                   std::optional<BodyPlane>& body) {
+  size_t best = 0;
+  bool is_best_bridged = true;
+  for (size_t i = 0; i < open.size(); ++i) {
+    const auto found = FindBody(search, open[i]->at.box, open[i]->depth_m);
+    const bool is_bridged = open[i]->IsBridged(now);
+    if (!found || (body && is_bridged && !is_best_bridged)) continue;
+    if (body && is_bridged == is_best_bridged && found->num_cells <= body->num_cells) continue;
+    best = i, body = found, is_best_bridged = is_bridged;
+  }
+  std::swap(open[best], open.back());
+  BoxTrack& track = *open.back();
+  open.pop_back();
+  return track;
+}
+
+/// What moves by itself. Where boxes overlap, the body that explains most is found first, and leaves the rest to the
+/// others; boxes that are only expected come last. The tracks remember how far away their bodies are.
+CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Timestamp now) {
+  std::vector<Box> boxes;
+  std::vector<BoxTrack*> open;
+  for (BoxTrack& track : tracks) {
+    if (track.at.motion != Motion::kHigh) continue;
+    boxes.push_back(track.at.box);
+    open.push_back(&track);
+  }
+  CellMask mask(depth.IndexOf(0, depth.rows()), 0);
+  while (!open.empty()) {
+    std::optional<BodyPlane> body;
+    BoxTrack& track = TakeNext(open, {depth, mask, boxes}, now, body);
+    if (body && IsBelievable(track, *body, now)) {
+      mask = WithBody(std::move(mask), depth, track.at.box, *body);
+      track.depth_m = body->metres;
+    } else if (!track.IsBridged(now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {
+      // Where depth cannot tell the body from what is around it, the box counts as a whole, as in the paper.
+      mask = WithAllOf(std::move(mask), depth, track.at.box);
+    }
+  }
+  return mask;
+}
+
+/// Things that do not move by themselves, near a body that their box touches: carried, or sat upon.
+CellMask WithCarried(CellMask mask, const std::vector<BoxTrack>& tracks, const DepthCells& depth) {
+  for (const BoxTrack& carried : tracks) {
+    if (carried.at.motion != Motion::kLow) continue;
+    for (const BoxTrack& body : tracks) {
+      if (body.at.motion != Motion::kHigh || !body.depth_m || !Overlap(body.at.box, carried.at.box)) continue;
+      const CellRange range = depth.RangeOf(carried.at.box);
+      for (int row = range.top; row < range.bottom; ++row) {
+        for (int column = range.left; column < range.right; ++column) {
+          const float metres = depth.At(column, row);
+          if (metres > 0 && std::abs(metres - *body.depth_m) < kCarriedReachM) mask[depth.IndexOf(column, row)] = 1;
+        }
+      }
+    }
+  }
+  return mask;
+}
+
+/// Whether a corner with its ring, `reach_px` around it, touches a body.
+bool Touches(const cv::Mat& bodies, const Keypoint& point, double reach_px) {
+  const auto is_marked = [&](double x, double y) {
+    const int column = std::clamp(static_cast<int>(x / kDepthCellPx), 0, bodies.cols - 1);
+    const int row = std::clamp(static_cast<int>(y / kDepthCellPx), 0, bodies.rows - 1);
+    return bodies.at<uint8_t>(row, column) != 0;
+  };
+  const double x = static_cast<double>(point.x), y = static_cast<double>(point.y), slant = reach_px * M_SQRT1_2;
+  return is_marked(x, y) || is_marked(x - reach_px, y) || is_marked(x + reach_px, y) || is_marked(x, y - reach_px) ||
+         is_marked(x, y + reach_px) || is_marked(x - slant, y - slant) || is_marked(x + slant, y - slant) ||
+         is_marked(x - slant, y + slant) || is_marked(x + slant, y + slant);
+}
+
+/// Whether the user's own mask lies under a point.
+bool IsIgnored(const cv::Mat& ignored, const Keypoint& point) {
+  if (ignored.empty()) return false;
+  const int x = std::clamp(static_cast<int>(std::lround(point.x)), 0, ignored.cols - 1);
+  const int y = std::clamp(static_cast<int>(std::lround(point.y)), 0, ignored.rows - 1);
+  return ignored.at<uint8_t>(y, x) != 0;
+}
+
+}  // namespace
+
+Verdict MovingAreas::Judge(const Keypoint& point) const {
+  if (IsIgnored(ignored_, point)) return Verdict::kDynamic;
+  const Verdict by_boxes = rules_.Judge(point);
+  if (bodies_.empty()) return by_boxes;
+  if (Touches(bodies_, point, kEdgePx + kRingPx * std::pow(scale_factor_, point.octave))) return Verdict::kDynamic;
+  return by_boxes == Verdict::kDynamic ? Verdict::kGivenBack : Verdict::kStatic;
+}
+
+std::vector<Verdict> MovingAreas::Judge(const std::vector<Keypoint>& points) const {
+  std::vector<Verdict> verdicts;
+  verdicts.reserve(points.size());
+  for (const Keypoint& point : points) verdicts.push_back(Judge(point));
+  return verdicts;
+}
+
+Features WithoutDynamic(Features features, const std::vector<Verdict>& verdicts) {
+  size_t kept = 0;
+  for (size_t i = 0; i < features.keypoints.size(); ++i) {
+    if (verdicts[i] == Verdict::kDynamic) continue;
+    features.keypoints[kept] = features.keypoints[i];
+    features.descriptors[kept] = features.descriptors[i];
+    ++kept;
+  }
+  features.keypoints.resize(kept);
+  features.descriptors.resize(kept);
+  return features;
+}
+
+Remover::Remover(Dynamics dynamics, MotionTable table, double scale_factor)
+    : dynamics_(dynamics), table_(std::move(table)), scale_factor_(scale_factor) {}
+
+MovingAreas Remover::Look(const ImageSet& images, const SeenAt& looked) {
+  MovingAreas areas;
+  areas.ignored_ = images.ignored;
+  areas.scale_factor_ = scale_factor_;
+  if (dynamics_ == Dynamics::kPaper) {
+    const std::vector<SortedBox> sorted = SortByMotion(looked.seen.boxes, table_);
+    areas.rules_ = BoxRules(sorted);
+    for (const SortedBox& box : sorted) {
+      if (box.motion == Motion::kHigh) areas.boxes_.push_back(box.box);
+    }
+  } else if (dynamics_ == Dynamics::kFull) {
+    FollowBodies(images, looked, areas);
+  }
+  return areas;
+}
+
+void Remover::FollowBodies(const ImageSet& images, const SeenAt& looked, MovingAreas& areas) {
+  tracks_.Update(images.timestamp, looked, table_, images.grey.cols, images.grey.rows);
+  std::vector<BoxTrack>& tracks = tracks_.tracks();
+  std::vector<SortedBox> boxes;
+  for (const BoxTrack& track : tracks) {
+    boxes.push_back(track.at);
+    if (track.at.motion != Motion::kHigh) continue;
+    areas.boxes_.push_back(track.at.box);
+    areas.num_bridged_ += track.IsBridged(images.timestamp);
+  }
+  areas.rules_ = BoxRules(boxes);
+  if (areas.boxes_.empty() || images.depth.empty()) return;
+  const DepthCells depth(images.depth);
+  const CellMask mask = WithCarried(MaskOfBodies(tracks, depth, images.timestamp), tracks, depth);
+  areas.bodies_ = cv::Mat(depth.rows(), depth.columns(), CV_8UC1);
+  std::copy(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>());
+}
+
+}  // namespace yorb

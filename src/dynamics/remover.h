@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Room: dynamics. Says which points are on moving things, before the pose is known.
+// Takes: ImageSet, Detections. Gives: MovingAreas, a verdict a point. Owns: the boxes that it follows.
+// Runs on: one thread at a time. May not: know poses or maps, run detectors, cut features.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "camera/image_set.h"
+#include "detection/detector.h"
+#include "dynamics/box_tracks.h"
+#include "dynamics/removal_rules.h"
+
+namespace yorb {
+
+/// What is done about moving things.
+enum class Dynamics {
+  kOff,    ///< nothing: only the user's own masks count
+  kPaper,  ///< the paper's rules, box by box
+  kFull,   ///< boxes followed over time; within them, depth tells the body from the background
+};
+
+/// What of one picture moves.
+class MovingAreas {
+ public:
+  /// Decides about a point, by its place and octave.
+  Verdict Judge(const Keypoint& point) const;
+  std::vector<Verdict> Judge(const std::vector<Keypoint>& points) const;
+
+  /// The boxes of things that move by themselves.
+  const std::vector<Box>& boxes() const { return boxes_; }
+  /// How many of them were not seen in this very picture.
+  int num_bridged() const { return num_bridged_; }
+  /// CV_8UC1, a pixel a cell of depth: not 0 on moving bodies; empty where only boxes count.
+  const cv::Mat& bodies() const { return bodies_; }
+
+ private:
+  friend class Remover;
+
+  BoxRules rules_{{}};
+  std::vector<Box> boxes_;
+  int num_bridged_ = 0;
+  cv::Mat bodies_, ignored_;
+  double scale_factor_ = 1;
+};
+
+/// The features that are not dynamic, in their order.
+Features WithoutDynamic(Features features, const std::vector<Verdict>& verdicts);
+
+/// Finds what moves in one picture after the other.
+class Remover {
+ public:
+  /// `scale_factor`: of the pyramid that the points come from.
+  Remover(Dynamics dynamics, MotionTable table, double scale_factor);
+
+  /// Pictures come in the order of time.
+  MovingAreas Look(const ImageSet& images, const SeenAt& looked);
+
+ private:
+  void FollowBodies(const ImageSet& images, const SeenAt& looked, MovingAreas& areas);
+
+  Dynamics dynamics_;
+  MotionTable table_;
+  double scale_factor_;
+  BoxTracks tracks_;
+};
+
+}  // namespace yorb

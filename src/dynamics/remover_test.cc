@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Synthetic depth: a person before a wall and behind a desk, whose pixels are known one by one.
+#include "dynamics/remover.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/random.h"
+
+namespace yorb {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+constexpr double kMetresPerUnit = 0.0002;
+
+/// A scene and whose pixel is whose.
+struct Scene {
+  ImageSet images;
+  cv::Mat person{kHeight, kWidth, CV_8UC1, cv::Scalar(0)};  ///< 255 on the person
+  Box box{"person", 0.9, 0, 0, 0, 0};                       ///< of what is visible of it
+};
+
+/// The wall stands at 3 m. The desk's top comes nearer towards the lower edge. The person is an ellipse, nearer at the
+/// head than at the feet as seen by a camera that looks down; `metres` is the depth of its middle.
+Scene MakeScene(double metres, bool has_desk = true) {
+  Scene scene;
+  Random random(7, 1);
+  scene.images.grey = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(90));
+  scene.images.depth = {cv::Mat(kHeight, kWidth, CV_16UC1), kMetresPerUnit};
+  int left = kWidth, right = 0, top = kHeight, bottom = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      double depth = 3.0;
+      const double across = (x - 300) / 90.0, along = (y - 200) / 190.0;
+      const double body = metres + 0.25 * along;
+      if (across * across + along * along < 1) {
+        depth = body;
+        scene.person.at<uint8_t>(y, x) = 255;
+      }
+      const double desk = 2.4 - 1.5 * (y - 240) / 240.0;
+      if (has_desk && y > 240 && desk < depth) {
+        depth = desk;
+        scene.person.at<uint8_t>(y, x) = 0;
+      }
+      if (scene.person.at<uint8_t>(y, x) != 0) {
+        left = std::min(left, x), right = std::max(right, x + 1), top = std::min(top, y),
+        bottom = std::max(bottom, y + 1);
+      }
+      const double noise = 0.003 * depth * depth * (random.Uniform() - 0.5);
+      const bool is_hole = random.Uniform() < 0.05;
+      scene.images.depth.pixels.at<uint16_t>(y, x) =
+          is_hole ? uint16_t{0} : static_cast<uint16_t>((depth + noise) / kMetresPerUnit);
+    }
+  }
+  scene.box.left = left, scene.box.right = right, scene.box.top = top, scene.box.bottom = bottom;
+  return scene;
+}
+
+std::vector<Keypoint> Points() {
+  std::vector<Keypoint> points;
+  for (int y = 20; y < kHeight - 20; y += 7) {
+    for (int x = 20; x < kWidth - 20; x += 7) {
+      Keypoint point;
+      point.x = static_cast<float>(x), point.y = static_cast<float>(y);
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+/// How right the verdicts are.
+struct Shares {
+  double dynamic_removed, static_in_box_kept, static_outside_kept;
+};
+
+Shares SharesOf(const Scene& scene, const std::vector<Keypoint>& points, const std::vector<Verdict>& verdicts) {
+  double person = 0, removed = 0, in_box = 0, in_box_kept = 0, outside = 0, outside_kept = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const int x = static_cast<int>(points[i].x), y = static_cast<int>(points[i].y);
+    const bool is_dynamic = verdicts[i] == Verdict::kDynamic;
+    if (scene.person.at<uint8_t>(y, x) != 0) {
+      ++person, removed += is_dynamic;
+    } else if (x >= scene.box.left && x < scene.box.right && y >= scene.box.top && y < scene.box.bottom) {
+      ++in_box, in_box_kept += !is_dynamic;
+    } else {
+      ++outside, outside_kept += !is_dynamic;
+    }
+  }
+  return {removed / person, in_box_kept / in_box, outside_kept / outside};
+}
+
+Shares SharesWith(Dynamics dynamics, const Scene& scene) {
+  Remover remover(dynamics, MotionTable::Default(), 1.2);
+  const std::vector<Keypoint> points = Points();
+  const MovingAreas areas = remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
+  return SharesOf(scene, points, areas.Judge(points));
+}
+
+TEST(Remover, OffKeepsEverything) {
+  const Shares shares = SharesWith(Dynamics::kOff, MakeScene(1.5));
+  EXPECT_EQ(shares.dynamic_removed, 0);
+  EXPECT_EQ(shares.static_in_box_kept, 1);
+}
+
+TEST(Remover, ThePapersRuleTakesTheBoxAndNoMore) {
+  const Shares shares = SharesWith(Dynamics::kPaper, MakeScene(1.5));
+  EXPECT_EQ(shares.dynamic_removed, 1);
+  EXPECT_EQ(shares.static_in_box_kept, 0);
+  EXPECT_EQ(shares.static_outside_kept, 1);
+}
+
+TEST(Remover, DepthGivesBackWhatIsNotTheBody) {
+  for (const double metres : {1.0, 1.4, 1.8, 2.2}) {
+    const Shares shares = SharesWith(Dynamics::kFull, MakeScene(metres));
+    EXPECT_GT(shares.dynamic_removed, 0.97) << metres;
+    EXPECT_GT(shares.static_in_box_kept, 0.5) << metres;
+    EXPECT_GT(shares.static_outside_kept, 0.94) << metres;  // the desk where the body touches it
+  }
+}
+
+TEST(Remover, WhereDepthCannotTellTheBoxCountsAsAWhole) {
+  Scene scene = MakeScene(1.5);
+  scene.images.depth.pixels.setTo(cv::Scalar(2.0 / kMetresPerUnit));  // the body as far away as all else
+  EXPECT_EQ(SharesWith(Dynamics::kFull, scene).dynamic_removed, 1);
+  scene.images.depth = {};
+  EXPECT_EQ(SharesWith(Dynamics::kFull, scene).dynamic_removed, 1);
+}
+
+TEST(Remover, TwoBodiesInOverlappingBoxesAreBothFound) {
+  Scene near = MakeScene(1.0, false);
+  Scene far = MakeScene(2.0, false);
+  // The far one stands to the right, half hidden by the near one.
+  constexpr int kShift = 110;
+  Scene both = near;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = kShift; x < kWidth; ++x) {
+      if (near.person.at<uint8_t>(y, x) != 0 || far.person.at<uint8_t>(y, x - kShift) == 0) continue;
+      both.person.at<uint8_t>(y, x) = 255;
+      both.images.depth.pixels.at<uint16_t>(y, x) = far.images.depth.pixels.at<uint16_t>(y, x - kShift);
+    }
+  }
+  Box far_box = far.box;
+  far_box.left += kShift, far_box.right += kShift;
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  const MovingAreas areas = remover.Look(both.images, {{true, {far_box, near.box}}, both.images.timestamp});
+  const std::vector<Keypoint> points = Points();
+  EXPECT_GT(SharesOf(both, points, areas.Judge(points)).dynamic_removed, 0.97);
+}
+
+TEST(Remover, TheUsersMaskCountsInEveryMode) {
+  for (const Dynamics dynamics : {Dynamics::kOff, Dynamics::kPaper, Dynamics::kFull}) {
+    Scene scene = MakeScene(1.5);
+    scene.images.ignored = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(0));
+    scene.images.ignored.colRange(0, kWidth / 2).setTo(1);
+    Remover remover(dynamics, MotionTable::Default(), 1.2);
+    const MovingAreas areas = remover.Look(scene.images, {{true, {}}, scene.images.timestamp});
+    for (const Keypoint& point : Points()) {
+      EXPECT_EQ(areas.Judge(point), point.x < kWidth / 2.0f ? Verdict::kDynamic : Verdict::kStatic);
+    }
+  }
+}
+
+TEST(WithoutDynamic, KeepsTheOrderOfTheRest) {
+  Features features;
+  for (int i = 0; i < 5; ++i) {
+    features.keypoints.emplace_back();
+    features.keypoints.back().x = static_cast<float>(i);
+    features.descriptors.emplace_back();
+  }
+  const Features kept = WithoutDynamic(
+      features, {Verdict::kStatic, Verdict::kDynamic, Verdict::kGivenBack, Verdict::kDynamic, Verdict::kStatic});
+  ASSERT_EQ(kept.keypoints.size(), 3u);
+  ASSERT_EQ(kept.descriptors.size(), 3u);
+  EXPECT_EQ(kept.keypoints[1].x, 2);
+  EXPECT_EQ(kept.keypoints[2].x, 4);
+}
+
+}  // namespace
+}  // namespace yorb

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runs/make_detector.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/log.h"
+#include "detection/box_file.h"
+#include "detection/file_detector.h"
+#include "detection/yolo_detector.h"
+#include "runs/feed.h"
+
+namespace yorb {
+namespace {
+
+/// Unknown names are static; a user who wrote them should hear of it, once.
+void WarnOfUnknownNames(const BoxFile& file, const MotionTable& motions) {
+  std::set<std::string> unknown;
+  for (const TimedBoxes& moment : file.moments) {
+    for (const Box& box : moment.boxes) {
+      if (!motions.Knows(box.name)) unknown.insert(box.name);
+    }
+  }
+  if (unknown.empty()) return;
+  std::string names;
+  for (const std::string& name : unknown) names += (names.empty() ? "'" : ", '") + name + "'";
+  LogWarning("boxes-unknown", file.path + ": no motion is known of the class " + names +
+                                  "; it counts as static (models/classes.txt has the table)");
+}
+
+Status TakeFile(const Config& config, const Dataset& dataset, RunParts& parts) {
+  const auto file = ReadBoxFile(config.detections);
+  if (!file) return file.error();
+  WarnOfUnknownNames(*file, parts.slam.motions);
+  std::vector<Timestamp> frames;
+  for (size_t i = 0; i < dataset.size(); ++i) frames.push_back(dataset.TimeOf(i));
+  auto detector = FileDetector::Make(*file, frames);
+  if (!detector) return detector.error();
+  parts.num_boxes_unmatched = (*detector)->num_unmatched();
+  parts.slam.detector = *std::move(detector);
+  return Status::Ok();
+}
+
+Status TakeNetwork(const Config& config, RunParts& parts) {
+  auto detector = YoloDetector::Open(config.detection);
+  if (!detector) return detector.error();
+  const std::vector<std::string>& names = (*detector)->names();
+  const auto moves = [&](const std::string& name) { return parts.slam.motions.Of(name) == Motion::kHigh; };
+  if (std::none_of(names.begin(), names.end(), moves)) {
+    LogWarning("network-sees-nobody", "none of the network's " + std::to_string(names.size()) +
+                                          " classes moves by itself, so that nothing will be removed");
+  }
+  parts.slam.detector = *std::move(detector);
+  return Status::Ok();
+}
+
+}  // namespace
+
+Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
+  RunParts parts;
+  if (config.dynamics == "off") return parts;
+  if (config.dynamics == "exact" && config.detections.empty()) {
+    return BadInput("--dynamics exact needs boxes: name their file with --detections");
+  }
+  const Status taken = config.detections.empty() ? TakeNetwork(config, parts) : TakeFile(config, dataset, parts);
+  if (!taken) return taken.error();
+  return parts;
+}
+
+}  // namespace yorb

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/result.h"
+#include "datasets/dataset.h"
+#include "system/config.h"
+#include "system/slam.h"
+
+namespace yorb {
+
+/// What a run needs beside the pictures.
+struct RunParts {
+  SlamParts slam;
+  size_t num_boxes_unmatched = 0;  ///< of a box file, that fit no frame
+};
+
+/// The detector that a run needs, and how its classes move: none with `dynamics` off; the boxes of `detections` where a
+/// file is named (exact needs one); else the network. Bad input names file and remedy.
+Result<RunParts> MakeParts(const Config& config, const Dataset& dataset);
+
+}  // namespace yorb
