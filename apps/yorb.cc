@@ -116,6 +116,7 @@ int ReadAndAct(int argc, char** argv) {
   AddCheckCommand(program, action);
   AddEvalCommand(program, action);
   AddSynthCommand(program, action);
+  AddDetectCommand(program, action);
   AddBenchCommand(program, action);
   try {
     program.parse(argc, argv);

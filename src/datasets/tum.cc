@@ -179,6 +179,18 @@ Result<TumLists> ReadTumLists(const std::string& folder) {
   return associations.empty() ? FromTwoLists(folder) : FromAssociations(folder, associations);
 }
 
+Result<PictureList> ReadColourList(const std::string& folder) {
+  const std::string associations = AssociationsFile(folder);
+  auto list = associations.empty() ? ReadPictureList(In(folder, "rgb.txt")) : [&]() -> Result<PictureList> {
+    auto read = ReadAssociations(associations);
+    if (!read) return read.error();
+    return std::move(read->colour);
+  }();
+  if (!list) return list.error();
+  if (const Status stamps = CheckStamps(*list); !stamps) return stamps.error();
+  return list;
+}
+
 Status LookForFiles(const TumLists& lists) {
   for (const PictureList* list : {&lists.colour, &lists.depth}) {
     const auto& pictures = list->pictures;

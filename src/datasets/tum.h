@@ -29,6 +29,9 @@ bool HasTumLayout(const std::string& folder);
 /// Reads and joins the lists. Bad input where a list is wrong, and where no colour picture has a depth picture near.
 Result<TumLists> ReadTumLists(const std::string& folder);
 
+/// The colour pictures alone, as ReadTumLists takes them; depth need not be there.
+Result<PictureList> ReadColourList(const std::string& folder);
+
 /// Bad input that names the first listed file that is not there, and counts the others.
 Status LookForFiles(const TumLists& lists);
 

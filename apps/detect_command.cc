@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/command.h"
+#include "apps/signals.h"
+#include "core/files.h"
+#include "core/log.h"
+#include "core/text.h"
+#include "detection/box_file.h"
+#include "detection/class_names.h"
+#include "detection/yolo_detector.h"
+#include "runs/draw_boxes.h"
+#include "runs/judge_detector.h"
+#include "runs/picture_source.h"
+
+namespace yorb {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DetectArguments {
+  std::vector<std::string> places;
+  std::string model, evaluate, set, engine = "auto";
+  std::optional<std::string> confidence, most_overlap, classes, save;
+  bool wants_json = false;
+};
+
+Result<double> ReadShare(const std::optional<std::string>& text, const char* option, double otherwise) {
+  if (!text) return otherwise;
+  const auto value = ParseDouble(Trim(*text));
+  if (!value || !(*value >= 0.001 && *value <= 1))
+    return BadInput(std::string(option) + " " + *text + " must be a number from 0.001 to 1");
+  return *value;
+}
+
+Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
+  // Evaluations want to see the whole curve, down to the weakest boxes, and doubles judged as the literature does.
+  constexpr double kLeastConfidence = 0.001, kEvaluationOverlap = 0.6;
+  DetectionOptions options;
+  options.model = arguments.model;
+  options.engine = arguments.engine;
+  const bool is_evaluation = !arguments.evaluate.empty();
+  const auto confidence = ReadShare(arguments.confidence, "--conf", options.confidence);
+  if (!confidence) return confidence.error();
+  const auto most_overlap =
+      ReadShare(arguments.most_overlap, "--iou", is_evaluation ? kEvaluationOverlap : options.most_overlap);
+  if (!most_overlap) return most_overlap.error();
+  options.confidence = is_evaluation ? kLeastConfidence : *confidence;
+  options.most_overlap = *most_overlap;
+  return options;
+}
+
+/// The classes of --classes; bad input for one that is not among the known.
+Result<std::vector<std::string>> ClassesOf(const DetectArguments& arguments, const std::vector<std::string>& known) {
+  std::vector<std::string> classes;
+  if (!arguments.classes) return classes;
+  for (const std::string_view word : SplitAt(*arguments.classes, ',')) {
+    const auto is_same = [&](const std::string& name) { return FoldClassName(name) == FoldClassName(word); };
+    if (std::none_of(known.begin(), known.end(), is_same)) {
+      return BadInput("--classes: '" + std::string(word) + "' is no class that is known here; did you mean " +
+                      NearestWord(std::string(word), known) + "?");
+    }
+    classes.emplace_back(word);
+  }
+  return classes;
+}
+
+/// Everything that is done with the boxes of one picture.
+class BoxOutput {
+ public:
+  BoxOutput(const DetectArguments& arguments, std::vector<std::string> classes)
+      : wants_json_(arguments.wants_json), save_(arguments.save), classes_(std::move(classes)) {}
+
+  Status Give(const SourcePicture& picture, std::vector<Box> boxes) {
+    boxes.erase(std::remove_if(boxes.begin(), boxes.end(), [&](const Box& box) { return !IsWanted(box); }),
+                boxes.end());
+    std::fputs((wants_json_ ? JsonOf(picture, boxes) : TextOf(picture, boxes)).c_str(), stdout);
+    return save_ ? Save(picture, boxes) : Status::Ok();
+  }
+
+ private:
+  bool IsWanted(const Box& box) const {
+    const auto is_same = [&](const std::string& name) { return FoldClassName(name) == FoldClassName(box.name); };
+    return classes_.empty() || std::any_of(classes_.begin(), classes_.end(), is_same);
+  }
+
+  static std::string JsonOf(const SourcePicture& picture, const std::vector<Box>& boxes) {
+    return ToJsonLine({picture.time, picture.image, picture.pixels.cols, picture.pixels.rows}, boxes) + "\n";
+  }
+
+  static std::string TextOf(const SourcePicture& picture, const std::vector<Box>& boxes) {
+    std::string text = picture.image + (picture.time ? " " + ToString(*picture.time) : "") + " " +
+                       std::to_string(picture.pixels.cols) + "x" + std::to_string(picture.pixels.rows) +
+                       (boxes.empty() ? ": nothing\n" : ":\n");
+    for (const Box& box : boxes) {
+      text += "  " + box.name + " " + FormatFixed(box.confidence, 2) + "  left " + FormatFixed(box.left, 1) + " top " +
+              FormatFixed(box.top, 1) + " right " + FormatFixed(box.right, 1) + " bottom " +
+              FormatFixed(box.bottom, 1) + "\n";
+    }
+    return text;
+  }
+
+  /// Under the picture's own name, numbered where another source has one of that name.
+  Status Save(const SourcePicture& picture, const std::vector<Box>& boxes) {
+    fs::path name = picture.name;
+    const bool is_jpeg = name.extension() == ".jpg" || name.extension() == ".jpeg";
+    if (!is_jpeg) name.replace_extension(".png");
+    const fs::path first = name;
+    for (int number = 2; !written_.insert(name.string()).second; ++number)
+      name = first.parent_path() / (first.stem().string() + "_" + std::to_string(number) + first.extension().string());
+    std::vector<unsigned char> bytes;
+    cv::imencode(is_jpeg ? ".jpg" : ".png", DrawBoxes(picture.pixels, boxes), bytes);
+    return WriteFileWhole((fs::path(*save_) / name).string(), std::string(bytes.begin(), bytes.end()));
+  }
+
+  bool wants_json_;
+  std::optional<std::string> save_;
+  std::vector<std::string> classes_;
+  std::set<std::string> written_;
+};
+
+/// Pictures that could not be read, told at the end so that the others are done before.
+struct Unreadable {
+  size_t count = 0, num_pictures = 0;
+  std::string first;
+
+  void Add(const Error& error) {
+    if (count++ < 3) first += (first.empty() ? "" : "; ") + error.message;
+  }
+  Error Told() const {
+    if (count == 1) return BadInput(first);
+    const std::string more = count > 3 ? "; and " + std::to_string(count - 3) + " more" : "";
+    return BadInput(std::to_string(count) + " pictures or sources cannot be read: " + first + more);
+  }
+};
+
+Status DetectIn(PictureSource& source, YoloDetector& detector, BoxOutput& output, Unreadable& unreadable) {
+  while (source.HasNext() && !IsStopAsked()) {
+    const auto picture = source.Next();
+    if (!picture) {
+      unreadable.Add(picture.error());
+      continue;
+    }
+    auto detections = detector.Detect(ImageSetOf(picture->pixels));
+    if (!detections) return detections.error();
+    if (Status given = output.Give(*picture, std::move(detections->boxes)); !given) return given;
+  }
+  return Status::Ok();
+}
+
+Status CheckFolderIsWritable(const std::string& folder) {
+  const std::string probe = (fs::path(folder) / ".yorb_probe").string();
+  if (const Status written = WriteFileWhole(probe, ""); !written) return BadInput("--save: " + written.error().message);
+  std::error_code ignored;
+  fs::remove(probe, ignored);
+  return Status::Ok();
+}
+
+Status DetectAll(const DetectArguments& arguments, const DetectionOptions& options) {
+  if (arguments.places.empty())
+    return BadInput("yorb detect needs a picture, folder, video or sequence, or --evaluate DIR");
+  if (arguments.save && arguments.save->empty()) return BadInput("--save is empty; name a folder");
+  auto detector = YoloDetector::Open(options);
+  if (!detector) return detector.error();
+  auto classes = ClassesOf(arguments, (*detector)->names());
+  if (!classes) return classes.error();
+  if (arguments.save) {
+    if (Status writable = CheckFolderIsWritable(*arguments.save); !writable) return writable;
+  }
+  BoxOutput output(arguments, *std::move(classes));
+  Unreadable unreadable;
+  for (const std::string& place : arguments.places) {
+    const auto source = OpenPictureSource(place);
+    if (!source) {
+      unreadable.Add(source.error());
+      continue;
+    }
+    if (Status status = DetectIn(**source, **detector, output, unreadable); !status) return status;
+  }
+  return unreadable.count > 0 ? Status(unreadable.Told()) : Status::Ok();
+}
+
+Status EvaluateDetector(const DetectArguments& arguments, const DetectionOptions& options) {
+  if (!arguments.places.empty())
+    return BadInput("--evaluate DIR takes no further pictures: " + arguments.places.front());
+  if (arguments.save) return BadInput("--save goes with pictures, not with --evaluate");
+  const auto confidence = ReadShare(arguments.confidence, "--conf", DetectionOptions().confidence);
+  if (!confidence) return confidence.error();
+  auto detector = YoloDetector::Open(options);
+  if (!detector) return detector.error();
+  const auto set = ReadLabelledSet(arguments.evaluate, arguments.set);
+  if (!set) return set.error();
+  const auto classes = ClassesOf(arguments, set->classes);
+  if (!classes) return classes.error();
+  (*detector)->TakeAllClasses();
+  const auto judgement = JudgeDetector(*set, **detector, {*confidence, *classes, IsStopAsked});
+  if (!judgement) return judgement.error();
+  std::fputs((arguments.wants_json ? JudgementJson(*judgement) : JudgementText(*judgement)).c_str(), stdout);
+  return Status::Ok();
+}
+
+int Detect(const DetectArguments& arguments) {
+  CatchSignals();
+  const Status started = StartLog({.to_stdout = !arguments.wants_json});
+  if (!started) return Complain(started.error());
+  const auto options = OptionsOf(arguments);
+  const Status done = !options                     ? Status(options.error())
+                      : arguments.evaluate.empty() ? DetectAll(arguments, *options)
+                                                   : EvaluateDetector(arguments, *options);
+  const Status stopped = StopLog();
+  if (!done) return Complain(done.error());
+  if (!stopped) return Complain(stopped.error());
+  return ExitCodeAfterSignal(kExitDone);
+}
+
+}  // namespace
+
+void AddDetectCommand(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("detect", "Finds people and things in pictures, or measures a detector");
+  const auto a = std::make_shared<DetectArguments>();
+  command->add_option("PLACES", a->places, "Pictures, folders, videos or sequences in TUM layout")
+      ->type_name("PICTURE|FOLDER|VIDEO|SEQUENCE");
+  command->add_option("--model", a->model, "Any YOLO network as ONNX [models/yolo_mo.onnx]")->type_name("FILE");
+  command->add_option("--conf", a->confidence, "Boxes below this confidence are left out [.25]")->type_name("X");
+  command
+      ->add_option("--iou", a->most_overlap, "Boxes of one class that overlap more are doubles [.45; --evaluate: .6]")
+      ->type_name("X");
+  command->add_option("--classes", a->classes, "Only these, by name")->type_name("A,B");
+  command->add_flag("--json", a->wants_json, "A JSON line a picture; with --evaluate one JSON document");
+  command->add_option("--save", a->save, "Pictures with the boxes drawn in go into this folder")->type_name("DIR");
+  command->add_option("--engine", a->engine, "What runs the network: auto, xnnpack, opencv, onnxruntime [auto]")
+      ->check(CLI::IsMember({"auto", "xnnpack", "opencv", "onnxruntime"}));
+  command
+      ->add_option("--evaluate", a->evaluate,
+                   "Measures the detector on pictures with labels in YOLO's layout: DIR/images, DIR/labels")
+      ->type_name("DIR");
+  command->add_option("--set", a->set, "Only DIR/images/NAME")->type_name("NAME");
+  command->footer(
+      "Examples:\n"
+      "  yorb detect photo.jpg holiday/ --save boxes\n"
+      "  yorb detect rgbd_dataset_freiburg3_walking_xyz --json > boxes.jsonl    read again by --detections\n"
+      "  yorb detect clip.mp4 --model yolov8n.onnx --classes person,dog --conf .4\n"
+      "  yorb detect --evaluate my_set --set val --json");
+  command->callback([a, &action] { action = [a] { return Detect(*a); }; });
+}
+
+}  // namespace yorb

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace yorb {
+
+/// All pictures in a folder and the folders below it, by the endings of their names, in the order of their paths.
+/// Linked folders are followed, each place once; hidden files and folders are passed over.
+std::vector<std::string> PicturesUnder(const std::string& folder);
+
+}  // namespace yorb

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/result.h"
+#include "core/time.h"
+
+namespace yorb {
+
+/// Whether a name ends as video files do (.mp4, .avi, .mkv ...).
+bool HasVideoEnding(std::string_view name);
+
+/// One picture of a video.
+struct VideoFrame {
+  Timestamp time;  ///< since the beginning of the video
+  cv::Mat bgr;
+};
+
+/// A video file, read from its first picture to its last.
+class Video {
+ public:
+  /// Bad input where the file is missing or no video that can be decoded here.
+  static Result<Video> Open(const std::string& path);
+
+  /// The next picture; nothing at the end.
+  std::optional<VideoFrame> Next();
+
+ private:
+  explicit Video(cv::VideoCapture capture) : capture_(std::move(capture)) {}
+
+  cv::VideoCapture capture_;
+  size_t num_read_ = 0;
+};
+
+}  // namespace yorb

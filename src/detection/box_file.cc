@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/box_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/text.h"
+#include "detection/class_names.h"
+
+namespace yorb {
+namespace {
+
+using Json = nlohmann::json;
+
+bool IsSound(const Box& box) {
+  return std::isfinite(box.left) && std::isfinite(box.top) && std::isfinite(box.right) && std::isfinite(box.bottom) &&
+         std::isfinite(box.confidence) && HasArea(box);
+}
+
+void Add(const Box& box, TimedBoxes& moment, BoxFile& file) {
+  if (IsSound(box)) {
+    moment.boxes.push_back(box);
+  } else {
+    ++file.num_dropped;
+  }
+}
+
+/// Lines of one moment may be many (people.txt); they become one.
+void Add(TimedBoxes moment, BoxFile& file) {
+  if (!file.moments.empty() && file.moments.back().time == moment.time) {
+    auto& boxes = file.moments.back().boxes;
+    boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
+  } else {
+    file.moments.push_back(std::move(moment));
+  }
+}
+
+Status ReadPeople(const TextFile& text, BoxFile& file) {
+  for (const TextLine& line : text.lines) {
+    const auto words = SplitAtBlanks(line.text);
+    const auto time = ParseTimestamp(words.front());
+    std::vector<double> numbers;
+    for (size_t i = 1; i < words.size(); ++i) {
+      if (const auto number = ParseDouble(words[i])) numbers.push_back(*number);
+    }
+    if (!time || (words.size() != 5 && words.size() != 6) || numbers.size() + 1 != words.size()) {
+      return BadInput(text.Where(line) + ": a line is 'timestamp left top right bottom visible_px', or JSON with " +
+                      "timestamp and boxes; here stands '" + line.text.substr(0, 80) + "'");
+    }
+    TimedBoxes moment{*time, {}, line.number};
+    Add(Box{"person", 1, numbers[0], numbers[1], numbers[2], numbers[3]}, moment, file);
+    Add(std::move(moment), file);
+  }
+  return Status::Ok();
+}
+
+/// A number, or the text of one; not a number where there is none.
+double NumberOf(const Json& object, const char* key, double otherwise) {
+  const auto found = object.find(key);
+  if (found == object.end()) return otherwise;
+  if (found->is_number()) return found->get<double>();
+  if (found->is_string()) return ParseDouble(found->get<std::string>()).value_or(std::nan(""));
+  return std::nan("");
+}
+
+/// The class by its word, or by COCO's number.
+std::optional<std::string> NameOf(const Json& object) {
+  for (const char* key : {"name", "class", "label"}) {
+    const auto found = object.find(key);
+    if (found == object.end()) continue;
+    std::optional<long long> number;
+    if (found->is_number_integer()) number = found->get<long long>();
+    if (found->is_string()) number = ParseInteger(Trim(found->get<std::string>()));
+    if (!number && !found->is_string()) return std::nullopt;
+    if (!number) return found->get<std::string>();
+    const auto count = static_cast<long long>(CocoNames().size());
+    if (*number < 0 || *number >= count) return std::nullopt;
+    return CocoNames()[static_cast<size_t>(*number)];
+  }
+  return std::nullopt;
+}
+
+/// A box as its four edges, or as a list of them. What is wrong with it, in words; empty where all is well.
+std::string ReadBox(const Json& object, Box& box) {
+  if (!object.is_object()) return "a box is an object with name, confidence, left, top, right, bottom";
+  const auto name = NameOf(object);
+  if (!name) return "a box needs a name: a word, or a number of COCO's from 0 to 79";
+  box.name = *name;
+  box.confidence = NumberOf(object, "confidence", 1);
+  const auto list = object.find("box");
+  const bool is_list = list != object.end() && list->is_array() && list->size() == 4;
+  const char* const keys[] = {"left", "top", "right", "bottom"};
+  double* const edges[] = {&box.left, &box.top, &box.right, &box.bottom};
+  for (size_t i = 0; i < 4; ++i) {
+    if (!is_list && object.find(keys[i]) == object.end()) return std::string("a box has no ") + keys[i];
+    const Json one{{"edge", is_list ? (*list)[i] : object[keys[i]]}};
+    *edges[i] = NumberOf(one, "edge", 0);
+  }
+  return "";
+}
+
+std::optional<Timestamp> TimeOf(const Json& object) {
+  const auto found = object.find("timestamp");
+  if (found == object.end()) return std::nullopt;
+  if (found->is_string()) return ParseTimestamp(found->get<std::string>());
+  return found->is_number() ? ParseTimestamp(FormatShortest(found->get<double>())) : std::nullopt;
+}
+
+Status ReadJsonLines(const TextFile& text, BoxFile& file) {
+  for (const TextLine& line : text.lines) {
+    const Json json = Json::parse(line.text, nullptr, false);
+    if (!json.is_object())
+      return BadInput(text.Where(line) + ": is no JSON object; a line is {\"timestamp\": 1.5, \"boxes\": [...]}");
+    const auto time = TimeOf(json);
+    if (!time) return BadInput(text.Where(line) + ": has no timestamp in seconds");
+    Json list = Json::array();
+    const bool is_flat = json.contains("box") || json.contains("left");
+    for (const char* key : {"boxes", "detections"}) {
+      if (json.contains(key)) list = json[key];
+    }
+    if (is_flat) list.push_back(json);
+    if (!list.is_array() || (list.empty() && !json.contains("boxes") && !json.contains("detections")))
+      return BadInput(text.Where(line) + ": has no list of boxes");
+    TimedBoxes moment{*time, {}, line.number};
+    for (const Json& entry : list) {
+      Box box;
+      const std::string fault = ReadBox(entry, box);
+      if (!fault.empty()) return BadInput(text.Where(line) + ": " + fault);
+      Add(box, moment, file);
+    }
+    Add(std::move(moment), file);
+  }
+  return Status::Ok();
+}
+
+/// Corners as fractions of the picture, where pixels are meant.
+bool AreFractions(const BoxFile& file) {
+  bool has_boxes = false;
+  for (const TimedBoxes& moment : file.moments) {
+    for (const Box& box : moment.boxes) {
+      has_boxes = true;
+      if (box.right > 1.5 || box.bottom > 1.5) return false;
+    }
+  }
+  return has_boxes;
+}
+
+}  // namespace
+
+Result<BoxFile> ReadBoxFile(const std::string& path) {
+  const auto text = ReadTextFile(path);
+  if (!text) return text.error();
+  BoxFile file;
+  file.path = path;
+  file.names_all = text->lines.empty() || text->lines.front().text.front() != '{';
+  const Status status = file.names_all ? ReadPeople(*text, file) : ReadJsonLines(*text, file);
+  if (!status) return status.error();
+  if (AreFractions(file))
+    return BadInput(path + ": all boxes lie between 0 and 1, as fractions of the picture do; pixels are expected");
+  return file;
+}
+
+std::string ToJsonLine(const BoxLine& about, const std::vector<Box>& boxes) {
+  const auto quoted = [](const std::string& text) {
+    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
+  std::string line = "{";
+  const auto add = [&](const char* key, const std::string& value) {
+    line += (line.size() > 1 ? ", \"" : "\"") + std::string(key) + "\": " + value;
+  };
+  if (about.time) add("timestamp", ToString(*about.time));
+  if (about.image) add("image", quoted(*about.image));
+  if (about.width) add("width", std::to_string(*about.width));
+  if (about.height) add("height", std::to_string(*about.height));
+  std::string list;
+  for (const Box& box : boxes) {
+    list += (list.empty() ? "{" : ", {");
+    list += "\"name\": " + quoted(box.name) + ", \"confidence\": " + FormatFixed(box.confidence, 4) +
+            ", \"left\": " + FormatFixed(box.left, 2) + ", \"top\": " + FormatFixed(box.top, 2) +
+            ", \"right\": " + FormatFixed(box.right, 2) + ", \"bottom\": " + FormatFixed(box.bottom, 2) + "}";
+  }
+  add("boxes", "[" + list + "]");
+  return line + "}";
+}
+
+}  // namespace yorb

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace yorb {
+
+/// A class name as names are compared: case, blanks, underscores and hyphens do not count ("Dining table" is
+/// "dining_table").
+std::string FoldClassName(std::string_view name);
+
+/// COCO's 80 classes, in the order in which detectors number them.
+const std::vector<std::string>& CocoNames();
+
+/// Names as exports carry them: the text of a Python dict with numbers for keys ({0: 'person', 1: "driver's seat"}), of
+/// a Python list, or the same as JSON. Nothing for any other text, and where a number from 0 on is missing.
+std::optional<std::vector<std::string>> ParseClassNames(std::string_view text);
+
+/// All numbers that stand in a text, whatever stands between them: "[640, 480]", "640 480", "(10,13), (16,30)".
+std::vector<double> NumbersIn(std::string_view text);
+
+}  // namespace yorb

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "detection/engine.h"
+#include "detection/head_layout.h"
+#include "detection/nms.h"
+
+namespace yorb {
+
+/// How outputs become boxes.
+struct DecodeOptions {
+  double confidence = 0.25;        ///< boxes below it are left out
+  bool takes_all_classes = false;  ///< every class above the confidence makes a box of its own, not only the best
+  bool is_logits = false;          ///< of raw maps: the sigmoid is still to come
+  std::vector<float> anchors;      ///< of raw maps: width, height in px, three a map, by rising stride
+};
+
+/// YOLOv5's anchors for the strides 8, 16 and 32, px.
+const std::vector<float>& StandardAnchors();
+
+/// The boxes that the outputs of a network hold, doubles included, in pixels of the network's input.
+std::vector<RawBox> DecodeBoxes(const std::vector<TensorView>& outputs, const HeadLayout& layout,
+                                const DecodeOptions& options);
+
+/// Whether numbers of raw maps are logits: sigmoids never leave 0 to 1.
+bool LookLikeLogits(const std::vector<TensorView>& outputs, const HeadLayout& layout);
+
+}  // namespace yorb

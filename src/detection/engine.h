@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "detection/onnx_model.h"
+
+namespace yorb {
+
+/// Numbers that a network gave, in the order of axes that its file states, wherever they lie.
+struct TensorView {
+  const float* data = nullptr;
+  std::vector<int64_t> dims, strides;  ///< strides in floats
+
+  float At(int64_t i, int64_t j, int64_t k) const { return data[i * strides[0] + j * strides[1] + k * strides[2]]; }
+};
+
+/// Runs one network on pictures of one size. Not for several threads at once.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// "OpenCV DNN", "XNNPACK", "ONNX Runtime": for messages.
+  virtual std::string name() const = 0;
+
+  /// The graph's outputs in its order, for a picture of the input's size: CV_8UC3 in the order R, G, B, or CV_8UC1.
+  /// Pixels are handed to the network divided by 255. The views are valid until the next call.
+  virtual Result<std::vector<TensorView>> Run(const cv::Mat& picture) = 0;
+};
+
+/// The input of a network once its size is settled.
+struct EngineInput {
+  std::string path;  ///< of the network's file, for complaints
+  int batch = 1, channels = 3, width = 0, height = 0;
+};
+
+/// Dense strides of a tensor whose last axis is next to itself.
+std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims);
+
+/// OpenCV's own engine, which is always there. Bad input where OpenCV cannot read the network.
+Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input);
+
+}  // namespace yorb

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/file_detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/log.h"
+
+namespace yorb {
+namespace {
+
+constexpr double kMostApart = 0.015;  // seconds between a box and its frame
+
+/// The frame nearest to a moment; nothing where none is near enough.
+const Timestamp* NearestFrame(Timestamp time, const std::vector<Timestamp>& frames) {
+  const auto after = std::lower_bound(frames.begin(), frames.end(), time);
+  const Timestamp* nearest = nullptr;
+  double least = kMostApart + 1e-6;
+  for (const auto candidate : {after, after == frames.begin() ? frames.end() : after - 1}) {
+    if (candidate == frames.end()) continue;
+    const double apart = std::abs(SecondsBetween(*candidate, time));
+    if (apart < least) least = apart, nearest = &*candidate;
+  }
+  return nearest;
+}
+
+std::string RangeOf(const std::vector<Timestamp>& times) {
+  const auto range = std::minmax_element(times.begin(), times.end());
+  return ToString(*range.first) + " to " + ToString(*range.second);
+}
+
+Error NoneFits(const BoxFile& file, const std::vector<Timestamp>& frames) {
+  std::vector<Timestamp> times;
+  for (const TimedBoxes& moment : file.moments) times.push_back(moment.time);
+  return BadInput(file.path + " belongs to another recording: none of its moments, " + RangeOf(times) +
+                  ", is within 15 ms of a picture" + (frames.empty() ? "" : "; the pictures cover " + RangeOf(frames)));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, const std::vector<Timestamp>& frames) {
+  std::unique_ptr<FileDetector> detector(new FileDetector());
+  detector->names_all_ = file.names_all;
+  size_t num_matched = 0;
+  for (const TimedBoxes& moment : file.moments) {
+    const Timestamp* frame = NearestFrame(moment.time, frames);
+    if (frame == nullptr) {
+      detector->num_unmatched_ += moment.boxes.size();
+      continue;
+    }
+    ++num_matched;
+    auto& boxes = detector->by_frame_[*frame];
+    boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
+  }
+  if (num_matched == 0 && !file.moments.empty()) return NoneFits(file, frames);
+  if (detector->num_unmatched_ > 0) {
+    LogWarning("boxes-unmatched", file.path + ": " + std::to_string(detector->num_unmatched_) +
+                                      " boxes are farther than 15 ms from every picture and are left out");
+  }
+  if (file.num_dropped > 0) {
+    LogWarning("boxes-dropped", file.path + ": " + std::to_string(file.num_dropped) +
+                                    " boxes are empty, swapped or no numbers and are left out");
+  }
+  for (auto& [time, boxes] : detector->by_frame_) {
+    std::stable_sort(boxes.begin(), boxes.end(),
+                     [](const Box& a, const Box& b) { return a.confidence > b.confidence; });
+  }
+  return detector;
+}
+
+Result<Detections> FileDetector::Detect(const ImageSet& images) {
+  const auto found = by_frame_.find(images.timestamp);
+  Detections detections;
+  detections.has_looked = names_all_ || found != by_frame_.end();
+  if (found == by_frame_.end()) return detections;
+  for (const Box& whole : found->second) {
+    const Box box = Cut(whole, images.grey.cols, images.grey.rows);
+    if (HasArea(box)) detections.boxes.push_back(box);
+  }
+  return detections;
+}
+
+}  // namespace yorb

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "detection/box_file.h"
+#include "detection/detector.h"
+
+namespace yorb {
+
+/// The boxes of a file in the place of a network's.
+class FileDetector : public Detector {
+ public:
+  /// Gives every moment of the file to the nearest frame within 15 ms. `frames`: the recording's time stamps, rising.
+  /// Moments that fit no frame are counted in one warning; bad input where none of several fits.
+  static Result<std::unique_ptr<FileDetector>> Make(const BoxFile& file, const std::vector<Timestamp>& frames);
+
+  Result<Detections> Detect(const ImageSet& images) override;
+
+  size_t num_unmatched() const { return num_unmatched_; }  ///< boxes that fit no frame
+
+ private:
+  FileDetector() = default;
+
+  std::map<Timestamp, std::vector<Box>> by_frame_;
+  bool names_all_ = false;
+  size_t num_unmatched_ = 0;
+};
+
+}  // namespace yorb

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/head_layout.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace yorb {
+namespace {
+
+using Shape = std::vector<int64_t>;
+
+constexpr int kAnchors = 3;  // a cell and map
+
+/// The strides that networks have maps of, the common ones first.
+const std::vector<std::vector<int>>& StrideSets() {
+  static const std::vector<std::vector<int>> sets{{8, 16, 32}, {8, 16, 32, 64}, {4, 8, 16, 32}};
+  return sets;
+}
+
+bool IsNumberOfCells(int64_t count, const HeadFacts& facts) {
+  return std::any_of(StrideSets().begin(), StrideSets().end(), [&](const std::vector<int>& strides) {
+    int64_t cells = 0;
+    for (const int stride : strides) cells += int64_t{facts.width / stride} * (facts.height / stride);
+    return cells == count;
+  });
+}
+
+/// How many numbers stand behind the class scores: the coefficients of a segmentation network, which has that many
+/// maps at a quarter of the size as another output; the points of a pose network.
+int64_t NumExtras(const HeadFacts& facts) {
+  for (const Shape& shape : facts.shapes) {
+    if (shape.size() == 4 && shape[2] == facts.height / 4 && shape[3] == facts.width / 4) return shape[1];
+  }
+  return facts.num_keypoint_values;
+}
+
+bool AgreesWithNames(int64_t num_classes, const HeadFacts& facts) {
+  return num_classes > 0 && (facts.num_names == 0 || facts.num_names == num_classes);
+}
+
+/// The layout of one output that holds all boxes.
+std::optional<HeadLayout> FromRows(size_t output, const HeadFacts& facts) {
+  const Shape& shape = facts.shapes[output];
+  if (shape.size() != 3) return std::nullopt;
+  const int64_t extras = NumExtras(facts);
+  HeadLayout layout;
+  layout.output = output;
+  const auto take = [&](LayoutKind kind, int64_t num_classes) {
+    layout.kind = kind;
+    layout.num_classes = static_cast<int>(num_classes);
+    return layout;
+  };
+  const bool has_anchors = shape[1] % kAnchors == 0 && IsNumberOfCells(shape[1] / kAnchors, facts);
+  if (has_anchors && AgreesWithNames(shape[2] - 5 - extras, facts))
+    return take(LayoutKind::kAnchorRows, shape[2] - 5 - extras);
+  if (IsNumberOfCells(shape[2], facts) && AgreesWithNames(shape[1] - 4 - extras, facts))
+    return take(LayoutKind::kCentreColumns, shape[1] - 4 - extras);
+  if (shape[2] == 6 && extras == 0) return take(LayoutKind::kCornerRows, facts.num_names);
+  return std::nullopt;
+}
+
+/// The strides and axes of a raw map; nothing where the shape is none.
+std::optional<RawMap> MapOf(size_t output, const HeadFacts& facts) {
+  const Shape& shape = facts.shapes[output];
+  RawMap map;
+  map.output = output;
+  if (shape.size() == 4) {
+    map.value_axis = 1, map.y_axis = 2, map.x_axis = 3;
+  } else if (shape.size() == 5 && shape[1] == kAnchors) {
+    map.anchor_axis = 1;
+    const bool are_values_last =
+        facts.height / std::max<int64_t>(shape[2], 1) == facts.width / std::max<int64_t>(shape[3], 1) &&
+        facts.height % std::max<int64_t>(shape[2], 1) == 0;
+    map.value_axis = are_values_last ? 4 : 2, map.y_axis = are_values_last ? 2 : 3,
+    map.x_axis = are_values_last ? 3 : 4;
+  } else {
+    return std::nullopt;
+  }
+  map.height = static_cast<int>(shape[static_cast<size_t>(map.y_axis)]);
+  map.width = static_cast<int>(shape[static_cast<size_t>(map.x_axis)]);
+  if (map.width < 1 || map.height < 1 || facts.width % map.width != 0) return std::nullopt;
+  map.stride = facts.width / map.width;
+  const bool is_square = map.height * map.stride == facts.height;
+  const bool is_known = map.stride == 8 || map.stride == 16 || map.stride == 32 || map.stride == 64;
+  return is_square && is_known ? std::optional(map) : std::nullopt;
+}
+
+/// Numbers a box in a raw map; 0 where anchors do not divide them.
+int64_t NumValues(const RawMap& map, const HeadFacts& facts) {
+  const int64_t size = facts.shapes[map.output][static_cast<size_t>(map.value_axis)];
+  if (map.anchor_axis > 0) return size;
+  return size % kAnchors == 0 ? size / kAnchors : 0;
+}
+
+std::optional<HeadLayout> FromMaps(const HeadFacts& facts) {
+  constexpr int64_t kCocoWithoutAnchors = 64 + 80;  // YOLOv8's own raw maps, which three divides as well
+  HeadLayout layout;
+  for (size_t i = 0; i < facts.shapes.size(); ++i) {
+    const auto map = MapOf(i, facts);
+    if (map) layout.maps.push_back(*map);
+  }
+  if (layout.maps.size() != facts.shapes.size() || layout.maps.size() < 3) return std::nullopt;
+  std::sort(layout.maps.begin(), layout.maps.end(),
+            [](const RawMap& a, const RawMap& b) { return a.stride < b.stride; });
+  for (size_t i = 0; i < layout.maps.size(); ++i) {
+    if (layout.maps[i].stride != 8 << i) return std::nullopt;
+    if (NumValues(layout.maps[i], facts) != NumValues(layout.maps[0], facts)) return std::nullopt;
+    const auto& map = layout.maps[i];
+    if (facts.num_names == 0 && map.anchor_axis == 0 && facts.shapes[map.output][1] == kCocoWithoutAnchors)
+      return std::nullopt;
+  }
+  const int64_t num_classes = NumValues(layout.maps[0], facts) - 5;
+  if (!AgreesWithNames(num_classes, facts)) return std::nullopt;
+  layout.kind = LayoutKind::kRawMaps;
+  layout.num_classes = static_cast<int>(num_classes);
+  return layout;
+}
+
+}  // namespace
+
+std::string ShapeText(const Shape& dims) {
+  std::string text = "(";
+  for (size_t i = 0; i < dims.size(); ++i) text += (i > 0 ? ", " : "") + (dims[i] < 0 ? "?" : std::to_string(dims[i]));
+  return text + ")";
+}
+
+Result<HeadLayout> RecogniseLayout(const HeadFacts& facts) {
+  for (size_t i = 0; i < facts.shapes.size(); ++i) {
+    if (const auto layout = FromRows(i, facts)) return *layout;
+  }
+  if (const auto layout = FromMaps(facts)) return *layout;
+  std::string shapes;
+  for (size_t i = 0; i < std::min<size_t>(facts.shapes.size(), 6); ++i)
+    shapes += (i > 0 ? ", " : "") + ShapeText(facts.shapes[i]);
+  const std::string names = facts.num_names > 0 ? " and " + std::to_string(facts.num_names) + " class names" : "";
+  return BadInput("is no detector that is read: its outputs are " + shapes + " for an input of " +
+                  std::to_string(facts.width) + "x" + std::to_string(facts.height) + names +
+                  "; YOLOv5's (1, N, 5+C), YOLOv8's (1, 4+C, N), three raw maps and end-to-end (1, K, 6) are");
+}
+
+std::string LayoutText(const HeadLayout& layout, const HeadFacts& facts) {
+  const auto shape = [&](size_t output) { return ShapeText(facts.shapes[output]); };
+  switch (layout.kind) {
+    case LayoutKind::kAnchorRows:
+      return "YOLOv5 rows " + shape(layout.output);
+    case LayoutKind::kCentreColumns:
+      return "YOLOv8 columns " + shape(layout.output);
+    case LayoutKind::kCornerRows:
+      return "end-to-end rows " + shape(layout.output);
+    case LayoutKind::kRawMaps:
+      break;
+  }
+  return std::to_string(layout.maps.size()) + " raw maps, " + shape(layout.maps.front().output) + " the finest";
+}
+
+}  // namespace yorb

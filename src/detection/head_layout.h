@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace yorb {
+
+/// How the outputs of a network are to be read.
+enum class LayoutKind {
+  kAnchorRows,     ///< YOLOv5: (1, N, 5+C), N three times the cells: centre, size, objectness, classes
+  kCentreColumns,  ///< YOLOv8 and 11: (1, 4+C, N), N the cells: centre, size, classes
+  kCornerRows,     ///< end to end: (1, K, 6): corners, confidence, class number; doubles are gone already
+  kRawMaps,        ///< a map a stride, (1, 3 (5+C), h, w) or with an axis for the anchors, not yet decoded
+};
+
+/// One raw map, and the steps between its numbers' axes.
+struct RawMap {
+  size_t output = 0;  ///< which of the network's outputs
+  int stride = 0;     ///< px of the input between cells
+  int width = 0, height = 0;
+  int anchor_axis = 0, value_axis = 0, y_axis = 0, x_axis = 0;  ///< anchor_axis 0: anchors and values share an axis
+};
+
+/// What the outputs of a network hold.
+struct HeadLayout {
+  LayoutKind kind = LayoutKind::kRawMaps;
+  int num_classes = 0;       ///< 0 where the shapes do not say (end to end without names)
+  size_t output = 0;         ///< the one that holds the boxes; not for raw maps
+  std::vector<RawMap> maps;  ///< by rising stride
+};
+
+/// The outputs' shapes, and what helps to tell layouts of the same shape from each other.
+struct HeadFacts {
+  std::vector<std::vector<int64_t>> shapes;
+  int width = 0, height = 0;    ///< of the input, px
+  int num_names = 0;            ///< 0: the file carries none
+  int num_keypoint_values = 0;  ///< numbers behind the classes of a pose network; 0: it is none
+};
+
+/// "(1, 84, 8400)".
+std::string ShapeText(const std::vector<int64_t>& dims);
+
+/// The layout of these outputs. The error says which shapes there are and has no file name before it.
+Result<HeadLayout> RecogniseLayout(const HeadFacts& facts);
+
+/// The layout in words, for the log: "YOLOv8 columns (1, 84, 8400)".
+std::string LayoutText(const HeadLayout& layout, const HeadFacts& facts);
+
+}  // namespace yorb

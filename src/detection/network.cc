@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/network.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "core/text.h"
+#include "detection/class_names.h"
+#include "detection/head_layout.h"
+
+namespace yorb {
+namespace {
+
+constexpr int kUsualSize = 640, kLargestSize = 4096;  // px
+
+std::string Metadata(const OnnxModel& model, const std::string& key) {
+  const auto found = model.metadata.find(key);
+  return found == model.metadata.end() ? std::string() : found->second;
+}
+
+/// The input's size as the metadata has it: height before width, or one number for both.
+cv::Size SizeOfMetadata(const OnnxModel& model) {
+  const std::vector<double> sizes = NumbersIn(Metadata(model, "imgsz"));
+  if (sizes.empty() || sizes[0] < 1 || sizes.back() < 1 || sizes[0] > kLargestSize || sizes.back() > kLargestSize)
+    return {kUsualSize, kUsualSize};
+  return {static_cast<int>(sizes.size() > 1 ? sizes[1] : sizes[0]), static_cast<int>(sizes[0])};
+}
+
+Error NoPictures(const OnnxValue& input, const char* wanted) {
+  return BadInput("has the input " + input.name + " of shape " + ShapeText(input.dims) + "; " + wanted);
+}
+
+Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
+  if (model.inputs.size() != 1)
+    return BadInput("has " + std::to_string(model.inputs.size()) + " inputs, a detector has one: the picture");
+  const OnnxValue& value = model.inputs.front();
+  if (value.dims.size() != 4) return NoPictures(value, "(1, 3, height, width) is expected");
+  if (value.type != kOnnxFloat && value.type != kOnnxFloat16)
+    return NoPictures(value, "it is not of floats; export it with floats for input");
+  const int64_t channels = value.dims[1] < 0 ? 3 : value.dims[1];
+  if (channels != 3 && channels != 1)
+    return NoPictures(value, "(1, 3, height, width) is expected: red, green, blue before height and width");
+  const cv::Size open = size.empty() ? SizeOfMetadata(model) : size;
+  EngineInput input;
+  input.batch = static_cast<int>(std::clamp<int64_t>(value.dims[0], 1, 64));
+  input.channels = static_cast<int>(channels);
+  input.height = static_cast<int>(std::min<int64_t>(value.dims[2] < 0 ? open.height : value.dims[2], INT32_MAX));
+  input.width = static_cast<int>(std::min<int64_t>(value.dims[3] < 0 ? open.width : value.dims[3], INT32_MAX));
+  const bool is_bearable = input.width <= kLargestSize && input.height <= kLargestSize;
+  if (!is_bearable || input.width % kCellSize != 0 || input.height % kCellSize != 0 ||
+      input.batch != std::max<int64_t>(value.dims[0], 1))
+    return NoPictures(value, "sizes that are multiples of 32 up to 4096 are expected");
+  if (!size.empty() && (input.width != size.width || input.height != size.height))
+    return NoPictures(value, "its size is fixed; leave detection.width and detection.height at 0, or export it anew");
+  return input;
+}
+
+struct Names {
+  std::vector<std::string> names;
+  std::string source;
+};
+
+/// The lines of a list of names beside the network: FILE.names, with FILE's ending or without.
+Result<Names> NamesBeside(const std::string& path) {
+  for (const std::string& file : {path + ".names", std::filesystem::path(path).replace_extension(".names").string()}) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) continue;
+    const auto text = ReadTextFile(file);
+    if (!text) return text.error();
+    Names names{{}, file};
+    for (const TextLine& line : text->lines) names.names.push_back(line.text);
+    return names;
+  }
+  return Names{};
+}
+
+Result<Names> NamesOf(const OnnxModel& model, const std::string& path) {
+  const std::string text = Metadata(model, "names");
+  if (text.empty()) return NamesBeside(path);
+  const auto names = ParseClassNames(text);
+  if (!names) {
+    return BadInput(path + " carries class names that are no list: '" + text.substr(0, 60) +
+                    "'; they are written as {0: 'person', 1: 'chair'}");
+  }
+  return Names{*names, "its metadata"};
+}
+
+Result<std::vector<float>> AnchorsOf(const OnnxModel& model) {
+  const std::vector<double> numbers = NumbersIn(Metadata(model, "anchors"));
+  const bool is_usable = numbers.size() % 6 == 0 && std::all_of(numbers.begin(), numbers.end(),
+                                                                [](double size) { return size > 0 && size < 1e5; });
+  if (!is_usable) return BadInput("carries anchors that are not three pairs of sizes in pixels a map");
+  return std::vector<float>(numbers.begin(), numbers.end());
+}
+
+/// Pose networks write how many points of how many numbers they give: kpt_shape [17, 3].
+int KeypointValues(const OnnxModel& model) {
+  const std::vector<double> shape = NumbersIn(Metadata(model, "kpt_shape"));
+  if (shape.size() != 2 || shape[0] < 1 || shape[0] > 1000 || shape[1] < 1 || shape[1] > 3) return 0;
+  return static_cast<int>(shape[0] * shape[1]);
+}
+
+/// The producers of values, by the values' names.
+const OnnxNode* MakerOf(const OnnxModel& model, const std::string& value) {
+  for (const OnnxNode& node : model.nodes) {
+    if (std::find(node.outputs.begin(), node.outputs.end(), value) != node.outputs.end()) return &node;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool EndsInSigmoid(const OnnxModel& model, const std::string& output) {
+  const OnnxNode* node = MakerOf(model, output);
+  while (node != nullptr && !node->inputs.empty() &&
+         (node->op == "Reshape" || node->op == "Transpose" || node->op == "Identity" || node->op == "Cast")) {
+    node = MakerOf(model, node->inputs.front());
+  }
+  return node != nullptr && node->op == "Sigmoid";
+}
+
+Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {
+  auto model = ReadOnnxFile(path);
+  if (!model) return model.error();
+  const auto named = [&](const Error& error) { return BadInput(path + " " + error.message); };
+  Network network;
+  const auto input = InputOf(*model, size);
+  if (!input) return named(input.error());
+  network.input = *input;
+  network.input.path = path;
+  auto names = NamesOf(*model, path);
+  if (!names) return names.error();
+  network.names = std::move(names->names);
+  network.names_source = std::move(names->source);
+  auto anchors = AnchorsOf(*model);
+  if (!anchors) return named(anchors.error());
+  network.anchors = *std::move(anchors);
+  network.num_keypoint_values = KeypointValues(*model);
+  network.model = *std::move(model);
+  return network;
+}
+
+}  // namespace yorb

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <utility>
+
+#include "detection/onnx_model.h"
+#include "detection/onnx_tensor.h"
+#include "detection/proto_reader.h"
+
+namespace yorb {
+namespace {
+
+using Field = ProtoField;
+
+Error Damaged() { return BadInput("is damaged or cut short"); }
+
+Result<OnnxAttribute> ParseAttribute(std::string_view message, const std::string& folder) {
+  OnnxAttribute attribute;
+  ProtoReader reader(message);
+  while (const auto field = reader.Next()) {
+    switch (field->id) {
+      case 1:
+        attribute.name = std::string(field->bytes);
+        break;
+      case 2:
+        attribute.number = field->AsFloat();
+        break;
+      case 3:
+        attribute.integer = field->AsInteger();
+        break;
+      case 4:
+        attribute.text = std::string(field->bytes);
+        break;
+      case 5: {
+        auto read = ParseOnnxTensor(field->bytes, folder);
+        if (!read) return read.error();
+        attribute.tensor = *std::move(read);
+        break;
+      }
+      case 7: {
+        const auto floats = ProtoFloats(*field);
+        if (!floats) return Damaged();
+        attribute.floats.insert(attribute.floats.end(), floats->begin(), floats->end());
+        break;
+      }
+      case 8: {
+        const auto ints = ProtoIntegers(*field);
+        if (!ints) return Damaged();
+        attribute.ints.insert(attribute.ints.end(), ints->begin(), ints->end());
+        break;
+      }
+      case 20:
+        attribute.type = static_cast<int>(field->AsInteger());
+        break;
+      default:
+        break;
+    }
+  }
+  if (reader.is_damaged()) return Damaged();
+  return attribute;
+}
+
+Result<OnnxNode> ParseNode(std::string_view message, const std::string& folder) {
+  OnnxNode node;
+  ProtoReader reader(message);
+  while (const auto field = reader.Next()) {
+    if (field->id == 1) node.inputs.emplace_back(field->bytes);
+    if (field->id == 2) node.outputs.emplace_back(field->bytes);
+    if (field->id == 3) node.name = std::string(field->bytes);
+    if (field->id == 4) node.op = std::string(field->bytes);
+    if (field->id == 7) node.domain = std::string(field->bytes);
+    if (field->id != 5) continue;
+    auto attribute = ParseAttribute(field->bytes, folder);
+    if (!attribute) return attribute.error();
+    node.attributes.push_back(*std::move(attribute));
+  }
+  if (reader.is_damaged()) return Damaged();
+  return node;
+}
+
+/// The message in field `id`, the last one where there are several; empty where there is none.
+std::string_view Inner(std::string_view message, uint32_t id) {
+  std::string_view inner;
+  ProtoReader reader(message);
+  while (const auto field = reader.Next()) {
+    if (field->id == id && field->kind == Field::Kind::kBytes) inner = field->bytes;
+  }
+  return inner;
+}
+
+int64_t DimOf(std::string_view message) {
+  int64_t size = -1;
+  ProtoReader reader(message);
+  while (const auto field = reader.Next()) {
+    if (field->id == 1 && field->kind == Field::Kind::kVarint) size = field->AsInteger();
+  }
+  return size > 0 ? size : -1;
+}
+
+OnnxValue ParseValue(std::string_view message) {
+  OnnxValue value;
+  ProtoReader reader(message);
+  while (const auto field = reader.Next()) {
+    if (field->id == 1) value.name = std::string(field->bytes);
+    if (field->id != 2) continue;
+    ProtoReader tensor(Inner(field->bytes, 1));
+    while (const auto part = tensor.Next()) {
+      if (part->id == 1) value.type = static_cast<int>(part->AsInteger());
+      if (part->id != 2) continue;
+      value.has_shape = true;
+      ProtoReader shape(part->bytes);
+      while (const auto dim = shape.Next()) {
+        if (dim->id == 1) value.dims.push_back(DimOf(dim->bytes));
+      }
+    }
+  }
+  return value;
+}
+
+Status ParseGraph(std::string_view message, const std::string& folder, OnnxModel& model) {
+  ProtoReader reader(message);
+  while (const auto field = reader.Next()) {
+    if (field->id == 1) {
+      auto node = ParseNode(field->bytes, folder);
+      if (!node) return node.error();
+      model.nodes.push_back(*std::move(node));
+    } else if (field->id == 5) {
+      auto read = ParseOnnxTensor(field->bytes, folder);
+      if (!read) return read.error();
+      model.constants.push_back(*std::move(read));
+    } else if (field->id == 11) {
+      model.inputs.push_back(ParseValue(field->bytes));
+    } else if (field->id == 12) {
+      model.outputs.push_back(ParseValue(field->bytes));
+    } else if (field->id == 15) {
+      return BadInput("holds sparse weights, which are not read; export without them");
+    }
+  }
+  return reader.is_damaged() ? Status(Damaged()) : Status::Ok();
+}
+
+std::pair<std::string, std::string> ParseEntry(std::string_view message) {
+  return {std::string(Inner(message, 1)), std::string(Inner(message, 2))};
+}
+
+int64_t ParseOpset(std::string_view message) {
+  int64_t version = 0;
+  bool is_standard = true;
+  ProtoReader reader(message);
+  while (const auto field = reader.Next()) {
+    if (field->id == 1) is_standard = field->bytes.empty() || field->bytes == "ai.onnx";
+    if (field->id == 2) version = field->AsInteger();
+  }
+  return is_standard ? version : 0;
+}
+
+/// Older files list their constants among the inputs.
+void RemoveConstantInputs(OnnxModel& model) {
+  std::set<std::string> constants;
+  for (const OnnxTensor& tensor : model.constants) constants.insert(tensor.name);
+  std::vector<OnnxValue> inputs;
+  for (OnnxValue& input : model.inputs) {
+    if (constants.count(input.name) == 0) inputs.push_back(std::move(input));
+  }
+  model.inputs = std::move(inputs);
+}
+
+/// Every name that is read was made before: what engines take for granted, and crash on where it is not so.
+Status CheckNames(const OnnxModel& model) {
+  std::set<std::string> known;
+  for (const OnnxTensor& tensor : model.constants) known.insert(tensor.name);
+  for (const OnnxValue& input : model.inputs) known.insert(input.name);
+  for (const OnnxNode& node : model.nodes) {
+    for (const std::string& name : node.inputs) {
+      if (!name.empty() && known.count(name) == 0)
+        return BadInput("is damaged: its node " + node.op + " reads '" + name + "', which nothing makes");
+    }
+    known.insert(node.outputs.begin(), node.outputs.end());
+  }
+  for (const OnnxValue& output : model.outputs) {
+    if (known.count(output.name) == 0) return BadInput("is damaged: nothing makes its output '" + output.name + "'");
+  }
+  return Status::Ok();
+}
+
+/// What people take for an ONNX file, by its first bytes.
+std::string OtherKind(const std::string& bytes) {
+  if (bytes.empty()) return "is empty (0 bytes)";
+  if (bytes.compare(0, 24, "version https://git-lfs.") == 0)
+    return "is a Git LFS pointer, the network itself was not fetched";
+  if (bytes.compare(0, 4, "PK\x03\x04") == 0)
+    return "is an archive such as PyTorch's weights, no ONNX file; export it to ONNX";
+  if (bytes.compare(0, 1, "<") == 0) return "is a web page or XML, no ONNX file";
+  return "is no ONNX file, or is cut short";
+}
+
+Result<OnnxModel> Parse(const std::string& bytes, const std::string& folder) {
+  OnnxModel model;
+  bool has_graph = false;
+  ProtoReader reader(bytes);
+  while (const auto field = reader.Next()) {
+    if (field->id == 1) model.ir_version = field->AsInteger();
+    if (field->id == 2) model.producer = std::string(field->bytes);
+    if (field->id == 8) model.opset = std::max(model.opset, ParseOpset(field->bytes));
+    if (field->id == 14) model.metadata.insert(ParseEntry(field->bytes));
+    if (field->id != 7 || field->kind != Field::Kind::kBytes) continue;
+    has_graph = true;
+    if (Status status = ParseGraph(field->bytes, folder, model); !status) return status.error();
+  }
+  if (reader.is_damaged() || !has_graph || model.ir_version <= 0 || model.nodes.empty())
+    return BadInput(OtherKind(bytes));
+  RemoveConstantInputs(model);
+  if (model.inputs.empty() || model.outputs.empty()) return BadInput("has no input or no output");
+  if (Status status = CheckNames(model); !status) return status.error();
+  return model;
+}
+
+}  // namespace
+
+Result<OnnxModel> ReadOnnxBytes(const std::string& bytes, const std::string& path) {
+  auto model = Parse(bytes, std::filesystem::path(path).parent_path().string());
+  if (!model) return BadInput(path + " " + model.error().message);
+  return model;
+}
+
+Result<OnnxModel> ReadOnnxFile(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return BadInput(path + " is a folder, an ONNX file is expected");
+  std::ifstream stream(path, std::ios::binary | std::ios::ate);
+  if (!stream) {
+    const bool is_there = std::filesystem::exists(path, ignored);
+    return BadInput(path + (is_there ? " cannot be read" : " does not exist"));
+  }
+  std::string bytes(static_cast<size_t>(std::max<std::streamoff>(stream.tellg(), 0)), '\0');
+  stream.seekg(0);
+  if (!bytes.empty() && !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    return BadInput(path + " cannot be read");
+  return ReadOnnxBytes(bytes, path);
+}
+
+}  // namespace yorb

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <opencv2/dnn.hpp>
+#include <utility>
+
+#include "detection/engine.h"
+
+namespace yorb {
+namespace {
+
+/// The operator that OpenCV's complaint is about: "> Node [Add@ai.onnx]: ..."; empty where it names none.
+std::string OperatorIn(const std::string& complaint) {
+  const size_t start = complaint.find("Node ["), end = complaint.find('@', start);
+  return start == std::string::npos || end == std::string::npos ? "" : complaint.substr(start + 6, end - start - 6);
+}
+
+/// What may be done about a network that OpenCV does not read. 4.6 stumbles over most heads that decode their boxes
+/// within the graph.
+Error Unreadable(const std::string& path, const std::string& complaint) {
+  const std::string name = OperatorIn(complaint);
+  return BadInput(
+      path + " cannot be run by OpenCV DNN " CV_VERSION + (name.empty() ? "" : ", by its operator " + name) +
+      "; export it with fixed sizes and its three raw head maps as outputs, or build yorb with ONNX Runtime");
+}
+
+class OpenCvEngine : public Engine {
+ public:
+  OpenCvEngine(cv::dnn::Net net, std::vector<std::string> outputs, EngineInput input)
+      : net_(std::move(net)), outputs_(std::move(outputs)), input_(std::move(input)) {}
+
+  std::string name() const override { return "OpenCV DNN"; }
+
+  Result<std::vector<TensorView>> Run(const cv::Mat& picture) override {
+    try {
+      Forward(picture);
+    } catch (const cv::Exception& error) {
+      return Unreadable(input_.path, error.err);
+    }
+    std::vector<TensorView> views;
+    for (const cv::Mat& result : results_) {
+      if (result.depth() != CV_32F) return Unreadable(input_.path, "an output holds no floats");
+      TensorView view{result.ptr<float>(), {}, {}};
+      for (int i = 0; i < result.dims; ++i) view.dims.push_back(result.size[i]);
+      view.strides = DenseStrides(view.dims);
+      views.push_back(std::move(view));
+    }
+    return views;
+  }
+
+ private:
+  void Forward(const cv::Mat& picture) {
+    cv::Mat blob;
+    if (input_.batch == 1) {
+      cv::dnn::blobFromImage(picture, blob, 1.0 / 255);
+    } else {  // the file wants several pictures: the first counts
+      cv::dnn::blobFromImages(std::vector<cv::Mat>(static_cast<size_t>(input_.batch), picture), blob, 1.0 / 255);
+    }
+    net_.setInput(blob);
+    results_.clear();
+    net_.forward(results_, outputs_);
+  }
+
+  cv::dnn::Net net_;
+  std::vector<std::string> outputs_;
+  EngineInput input_;
+  std::vector<cv::Mat> results_;
+};
+
+}  // namespace
+
+std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims) {
+  std::vector<int64_t> strides(dims.size(), 1);
+  for (size_t i = dims.size(); i > 1; --i) strides[i - 2] = strides[i - 1] * dims[i - 1];
+  return strides;
+}
+
+Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input) {
+  const std::string bytes = OnnxBytes(model);
+  try {
+    cv::dnn::Net net = cv::dnn::readNetFromONNX(bytes.data(), bytes.size());
+    net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    std::vector<std::string> outputs;
+    for (const OnnxValue& output : model.outputs) outputs.push_back(output.name);
+    return std::unique_ptr<Engine>(std::make_unique<OpenCvEngine>(std::move(net), std::move(outputs), input));
+  } catch (const cv::Exception& error) {
+    return Unreadable(input.path, error.err);
+  }
+}
+
+}  // namespace yorb

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runs/judge_detector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/stats.h"
+#include "core/stopwatch.h"
+#include "core/text.h"
+#include "datasets/still_picture.h"
+#include "detection/class_names.h"
+
+namespace yorb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The numbers of a set's classes by folded name.
+std::map<std::string, int> NumbersByName(const std::vector<std::string>& classes) {
+  std::map<std::string, int> numbers;
+  for (size_t i = 0; i < classes.size(); ++i) numbers.emplace(FoldClassName(classes[i]), static_cast<int>(i));
+  return numbers;
+}
+
+JudgedBox TruthOf(const LabelledBox& box, const cv::Size& size) {
+  return {box.label, 1, box.left * size.width, box.top * size.height, box.right * size.width, box.bottom * size.height};
+}
+
+bool IsWanted(const std::string& name, const std::vector<std::string>& wanted) {
+  const auto is_same = [&](const std::string& word) { return FoldClassName(word) == FoldClassName(name); };
+  return wanted.empty() || std::any_of(wanted.begin(), wanted.end(), is_same);
+}
+
+/// Columns of equal width.
+std::string Row(const std::string& name, const std::vector<std::string>& cells) {
+  std::string row = name;
+  row.resize(std::max<size_t>(name.size() + 1, 20), ' ');
+  for (const std::string& cell : cells) row += std::string(cell.size() < 10 ? 10 - cell.size() : 1, ' ') + cell;
+  return row + "\n";
+}
+
+std::string Share(const std::optional<double>& value) { return value ? FormatFixed(*value, 3) : "-"; }
+
+Json OrNull(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detector, const JudgeOptions& options) {
+  const std::map<std::string, int> numbers = NumbersByName(set.classes);
+  std::vector<JudgedPicture> pictures;
+  std::vector<double> times_ms;
+  for (const LabelledPicture& labelled : set.pictures) {
+    if (options.should_stop && options.should_stop()) break;
+    const auto pixels = ReadUprightPicture(labelled.picture);
+    if (!pixels) return pixels.error();
+    const ImageSet images = ImageSetOf(*pixels);
+    const Stopwatch watch;
+    const auto detections = detector.Detect(images);
+    times_ms.push_back(watch.ms());
+    if (!detections) return detections.error();
+    JudgedPicture picture;
+    for (const LabelledBox& box : labelled.boxes) {
+      const bool is_wanted = IsWanted(set.classes[static_cast<size_t>(box.label)], options.classes);
+      if (is_wanted) picture.truth.push_back(TruthOf(box, pixels->size()));
+    }
+    for (const Box& box : detections->boxes) {
+      const auto number = numbers.find(FoldClassName(box.name));
+      if (number == numbers.end()) continue;
+      picture.found.push_back({number->second, box.confidence, box.left, box.top, box.right, box.bottom});
+    }
+    pictures.push_back(std::move(picture));
+  }
+  return DetectorJudgement{ScoreDetections(pictures, options.confidence), set.classes, Summarize(times_ms).median,
+                           options.confidence, pictures.size()};
+}
+
+std::string JudgementText(const DetectorJudgement& judgement) {
+  std::string text = Row("class", {"truth", "AP50", "AP50-95", "precision", "recall"});
+  for (const ClassScore& score : judgement.scores.classes) {
+    text += Row(judgement.classes[static_cast<size_t>(score.label)],
+                {std::to_string(score.num_true), Share(score.ap50), Share(score.ap), Share(score.precision),
+                 Share(score.recall)});
+  }
+  text += Row("mean", {"", Share(judgement.scores.map50), Share(judgement.scores.map50_95)});
+  return text + std::to_string(judgement.num_pictures) + " pictures, " + FormatFixed(judgement.latency_ms, 1) +
+         " ms a picture (median); precision and recall at confidence " + FormatShortest(judgement.confidence) + "\n";
+}
+
+std::string JudgementJson(const DetectorJudgement& judgement) {
+  Json classes = Json::array();
+  for (const ClassScore& score : judgement.scores.classes) {
+    classes.push_back({{"name", judgement.classes[static_cast<size_t>(score.label)]},
+                       {"ap50", score.ap50},
+                       {"ap", score.ap},
+                       {"precision", OrNull(score.precision)},
+                       {"recall", score.recall},
+                       {"truth", score.num_true}});
+  }
+  const Json json{{"classes", classes},
+                  {"map50", OrNull(judgement.scores.map50)},
+                  {"map50_95", OrNull(judgement.scores.map50_95)},
+                  {"latency_ms", judgement.num_pictures > 0 ? Json(judgement.latency_ms) : Json(nullptr)},
+                  {"confidence", judgement.confidence}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace yorb
