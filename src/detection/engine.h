@@ -46,4 +46,8 @@ std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims);
 /// OpenCV's own engine, which is always there. Bad input where OpenCV cannot read the network.
 Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input);
 
+/// XNNPACK's operators, on so many threads, in the order of the graph. The error is what the engine does not know, such
+/// as "operator Gelu".
+Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel& model, const EngineInput& input, int threads);
+
 }  // namespace yorb

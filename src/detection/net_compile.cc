@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/net_compile.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace yorb {
+namespace {
+
+/// Compiles node by node, in the order of the file.
+class NetCompiler {
+ public:
+  NetCompiler(const OnnxModel& model, CompiledNet& net) : model_(model), net_(net) { CountReaders(); }
+
+  Status Compile(const EngineInput& input) {
+    net_.input =
+        net_.program.New({input.batch, input.channels, input.height, input.width}, NetLayout::kChannelsLast, false);
+    values_[model_.inputs.front().name] = net_.input;
+    for (const OnnxTensor& tensor : model_.constants) values_[tensor.name] = ConstantOf(tensor);
+    for (size_t i = 0; i < model_.nodes.size(); ++i) {
+      if (Status status = CompileNode(model_.nodes[i]); !status) return status;
+      for (const std::string& name : model_.nodes[i].inputs) {
+        if (last_reader_[name] == i) values_.erase(name);  // its buffer may be used again
+      }
+    }
+    for (const OnnxValue& output : model_.outputs) net_.outputs.push_back(values_.at(output.name));
+    return Status::Ok();
+  }
+
+ private:
+  void CountReaders() {
+    for (size_t i = 0; i < model_.nodes.size(); ++i) {
+      for (const std::string& name : model_.nodes[i].inputs) {
+        readers_[name].push_back(i);
+        last_reader_[name] = i;
+      }
+    }
+    for (const OnnxValue& output : model_.outputs) {
+      last_reader_[output.name] = model_.nodes.size();
+      readers_[output.name].push_back(model_.nodes.size());
+    }
+  }
+
+  NetValue ConstantOf(const OnnxTensor& tensor) {
+    NetValue value = net_.program.New(tensor.dims, NetLayout::kDense, true);
+    value.is_whole = tensor.is_whole;
+    if (tensor.is_whole) {
+      std::transform(tensor.ints.begin(), tensor.ints.end(), value.data.get(),
+                     [](int64_t number) { return static_cast<float>(number); });
+    } else {
+      std::copy(tensor.floats.begin(), tensor.floats.end(), value.data.get());
+    }
+    return value;
+  }
+
+  /// The one node that reads a value; nothing where there are several, or the value is a result.
+  const OnnxNode* OnlyReader(const std::string& value) const {
+    const auto found = readers_.find(value);
+    if (found == readers_.end() || found->second.empty()) return nullptr;
+    const auto& readers = found->second;
+    const bool is_one = std::all_of(readers.begin(), readers.end(), [&](size_t i) { return i == readers.front(); });
+    return is_one && readers.front() < model_.nodes.size() ? &model_.nodes[readers.front()] : nullptr;
+  }
+
+  NetNode NodeOf(const OnnxNode& node) {
+    NetNode ready{node, {}, net_.program, model_.opset, !node.inputs.empty()};
+    for (const std::string& name : node.inputs) {
+      ready.inputs.push_back(name.empty() ? NetValue() : values_.at(name));
+      if (!name.empty()) ready.is_constant &= ready.inputs.back().is_constant;
+    }
+    return ready;
+  }
+
+  Status CompileNode(const OnnxNode& node) {
+    const std::string unknown = "operator " + node.op;
+    if (!node.domain.empty() && node.domain != "ai.onnx") return BadInput(unknown + " of " + node.domain);
+    const NetNode ready = NodeOf(node);
+    auto outputs = Fused(ready);
+    if (!outputs) {
+      for (const auto family : {AddPictureOperator, AddShapeOperator, AddArithmetic}) {
+        outputs = family(ready);
+        if (outputs->ok() || !outputs->error().message.empty()) break;
+      }
+    }
+    if (!*outputs) return BadInput(unknown + outputs->error().message);
+    if ((*outputs)->size() < node.outputs.size()) return BadInput(unknown + ": more outputs than are known");
+    for (size_t i = 0; i < node.outputs.size(); ++i) {
+      if (!node.outputs[i].empty()) values_[node.outputs[i]] = (**outputs)[i];
+    }
+    return Status::Ok();
+  }
+
+  /// Pairs of operators that are one step: x * sigmoid(x), x * hardsigmoid(x), and a convolution with its limits.
+  std::optional<NetOutputs> Fused(const NetNode& ready) {
+    const OnnxNode& node = ready.node;
+    if (done_before_.count(&node) > 0) return NetOutputs(std::vector<NetValue>{ready.inputs[0]});
+    if (const auto gate = gates_.find(&node); gate != gates_.end()) {
+      const NetValue& x = values_.at(gate->second.input);
+      return NetOutputs(std::vector<NetValue>{gate->second.is_hard ? AddHardSwish(ready, x) : AddSilu(ready, x)});
+    }
+    if (ready.is_constant || node.outputs.size() != 1) return std::nullopt;
+    const OnnxNode* next = OnlyReader(node.outputs[0]);
+    if (next == nullptr) return std::nullopt;
+    if (node.op == "Conv") return WithLimits(ready, *next);
+    if (IsGate(node) && next->op == "Mul" && next->inputs.size() == 2) {
+      const std::string& other = next->inputs[next->inputs[0] == node.outputs[0] ? 1 : 0];
+      if (other != node.inputs[0] || other == node.outputs[0]) return std::nullopt;
+      gates_[next] = {other, node.op == "HardSigmoid"};
+      return NetOutputs(std::vector<NetValue>{ready.inputs[0]});  // its reader takes the two in one
+    }
+    return std::nullopt;
+  }
+
+  static bool IsGate(const OnnxNode& node) {
+    const bool is_sixth = std::abs(node.Number("alpha", 0.2f) - 1.f / 6) < 1e-5f && node.Number("beta", 0.5f) == 0.5f;
+    return node.op == "Sigmoid" || (node.op == "HardSigmoid" && is_sixth);
+  }
+
+  std::optional<NetOutputs> WithLimits(NetNode ready, const OnnxNode& next) {
+    if (next.op == "Relu") {
+      ready.least = 0;
+    } else if (next.op == "Clip") {
+      const auto limit = [&](const char* name, size_t input, float otherwise) {
+        if (next.Find(name) != nullptr) return next.Number(name, otherwise);
+        const auto found = next.inputs.size() > input ? values_.find(next.inputs[input]) : values_.end();
+        return found != values_.end() && found->second.is_constant ? NumbersOf(found->second)[0] : otherwise;
+      };
+      ready.least = limit("min", 1, -HUGE_VALF), ready.most = limit("max", 2, HUGE_VALF);
+      const bool is_known = ready.least > -HUGE_VALF && ready.most < HUGE_VALF && ready.least < ready.most;
+      if (!is_known) return std::nullopt;
+    } else {
+      return std::nullopt;
+    }
+    auto outputs = AddPictureOperator(ready);
+    if (outputs) done_before_.insert(&next);
+    return outputs;
+  }
+
+  struct Gate {
+    std::string input;
+    bool is_hard = false;
+  };
+
+  const OnnxModel& model_;
+  CompiledNet& net_;
+  std::map<std::string, NetValue> values_;
+  std::map<std::string, std::vector<size_t>> readers_;
+  std::map<std::string, size_t> last_reader_;
+  std::set<const OnnxNode*> done_before_;  // limits that the convolution before them has taken over
+  std::map<const OnnxNode*, Gate> gates_;  // products that are one step with the gate before them
+};
+
+}  // namespace
+
+Result<CompiledNet> CompileNet(const OnnxModel& model, const EngineInput& input, pthreadpool* threads) {
+  CompiledNet net;
+  net.program.SetThreads(threads);
+  if (Status status = NetCompiler(model, net).Compile(input); !status) return status.error();
+  return net;
+}
+
+}  // namespace yorb

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Operators on pictures, channels next to each other: XNNPACK's where it has them.
+#include <xnnpack.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "detection/net_program.h"
+
+namespace yorb {
+namespace {
+
+using Dims = std::vector<int64_t>;
+
+NetOutputs One(NetValue value) { return std::vector<NetValue>{std::move(value)}; }
+
+std::shared_ptr<xnn_operator> Owned(xnn_operator_t op) {
+  return {op, [](xnn_operator_t gone) { xnn_delete_operator(gone); }};
+}
+
+/// Adds an operator of XNNPACK that knows where its numbers lie.
+void AddOperator(const NetNode& node, std::shared_ptr<xnn_operator> op) {
+  node.Add([op = std::move(op), threads = node.program.threads()] { xnn_run_operator(op.get(), threads); });
+}
+
+/// A window that moves over a picture.
+struct Window {
+  int64_t kernel_y = 1, kernel_x = 1, stride_y = 1, stride_x = 1, dilation_y = 1, dilation_x = 1;
+  int64_t top = 0, left = 0, bottom = 0, right = 0;  // padding
+
+  int64_t Height(int64_t input) const {
+    return (input + top + bottom - dilation_y * (kernel_y - 1) - 1) / stride_y + 1;
+  }
+  int64_t Width(int64_t input) const { return (input + left + right - dilation_x * (kernel_x - 1) - 1) / stride_x + 1; }
+  bool HasPadding() const { return top > 0 || left > 0 || bottom > 0 || right > 0; }
+};
+
+/// Padding as the `auto_pad` of older files asks.
+void PadForSame(const NetValue& input, bool is_upper, Window& window) {
+  const auto total = [](int64_t size, int64_t stride, int64_t reach) {
+    return std::max<int64_t>((((size + stride - 1) / stride) - 1) * stride + reach - size, 0);
+  };
+  const int64_t y = total(input.dims[2], window.stride_y, window.dilation_y * (window.kernel_y - 1) + 1);
+  const int64_t x = total(input.dims[3], window.stride_x, window.dilation_x * (window.kernel_x - 1) + 1);
+  window.top = is_upper ? y / 2 : y - y / 2, window.bottom = y - window.top;
+  window.left = is_upper ? x / 2 : x - x / 2, window.right = x - window.left;
+}
+
+Result<Window> WindowOf(const NetNode& node, const Dims& kernel) {
+  const NetValue& input = node.inputs[0];
+  const Dims strides = node.node.Integers("strides", {1, 1}), dilations = node.node.Integers("dilations", {1, 1});
+  const Dims pads = node.node.Integers("pads", {0, 0, 0, 0});
+  if (input.rank() != 4 || kernel.size() != 2 || strides.size() != 2 || dilations.size() != 2 || pads.size() != 4)
+    return BadInput(": only pictures of two axes are read");
+  Window window{kernel[0],    kernel[1], strides[0], strides[1], dilations[0],
+                dilations[1], pads[0],   pads[1],    pads[2],    pads[3]};
+  const std::string padding = node.node.Text("auto_pad", "NOTSET");
+  if (padding == "SAME_UPPER" || padding == "SAME_LOWER") PadForSame(input, padding == "SAME_UPPER", window);
+  const bool is_sound = window.kernel_y > 0 && window.kernel_x > 0 && window.stride_y > 0 && window.stride_x > 0 &&
+                        window.dilation_y > 0 && window.dilation_x > 0 && window.top >= 0 && window.left >= 0 &&
+                        window.bottom >= 0 && window.right >= 0;
+  if (!is_sound || window.Height(input.dims[2]) < 1 || window.Width(input.dims[3]) < 1)
+    return BadInput(": its window does not fit its input");
+  return window;
+}
+
+size_t PixelStep(const NetValue& value) {
+  return static_cast<size_t>(value.dims[3] > 1   ? value.strides[3]
+                             : value.dims[2] > 1 ? value.strides[2]
+                                                 : value.dims[1]);
+}
+
+uint32_t U(int64_t number) { return static_cast<uint32_t>(number); }
+
+/// Weights from the order of the file (out, in, y, x) to XNNPACK's (out, y, x, in).
+std::vector<float> KernelOf(const NetValue& weights) {
+  const std::vector<float> from = NumbersOf(weights);
+  const int64_t in = weights.dims[1], area = weights.dims[2] * weights.dims[3];
+  std::vector<float> to(from.size());
+  for (int64_t out = 0; out < weights.dims[0]; ++out) {
+    for (int64_t channel = 0; channel < in; ++channel) {
+      for (int64_t i = 0; i < area; ++i)
+        to[static_cast<size_t>((out * area + i) * in + channel)] =
+            from[static_cast<size_t>((out * in + channel) * area + i)];
+    }
+  }
+  return to;
+}
+
+NetOutputs Convolution(const NetNode& node) {
+  if (!node.Has(1) || !node.inputs[1].is_constant || node.inputs[1].rank() != 4)
+    return BadInput(": its weights are not known beforehand");
+  if (node.Has(2) && !node.inputs[2].is_constant) return BadInput(": its bias is not known beforehand");
+  const NetValue& weights = node.inputs[1];
+  const auto window = WindowOf(node, {weights.dims[2], weights.dims[3]});
+  if (!window) return window.error();
+  const NetValue input = WithLayout(node, node.inputs[0], NetLayout::kChannelsLast);
+  const int64_t groups = node.node.Integer("group", 1), num_out = weights.dims[0];
+  if (groups < 1 || num_out % groups != 0 || weights.dims[1] * groups != input.dims[1])
+    return BadInput(": its weights do not fit its input");
+  const std::vector<float> kernel = KernelOf(weights),
+                           bias = node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>();
+  if (!bias.empty() && static_cast<int64_t>(bias.size()) != num_out)
+    return BadInput(": its bias does not fit its weights");
+  NetValue output = node.New({input.dims[0], num_out, window->Height(input.dims[2]), window->Width(input.dims[3])},
+                             NetLayout::kChannelsLast);
+  xnn_operator_t op = nullptr;
+  const xnn_status made = xnn_create_convolution2d_nhwc_f32(
+      U(window->top), U(window->right), U(window->bottom), U(window->left), U(window->kernel_y), U(window->kernel_x),
+      U(window->stride_y), U(window->stride_x), U(window->dilation_y), U(window->dilation_x), U(groups),
+      static_cast<size_t>(weights.dims[1]), static_cast<size_t>(num_out / groups), PixelStep(input),
+      static_cast<size_t>(num_out), kernel.data(), bias.empty() ? nullptr : bias.data(), node.least, node.most, 0, &op);
+  if (made != xnn_status_success) return BadInput(": XNNPACK does not take its settings");
+  const auto owned = Owned(op);
+  const xnn_status ready = xnn_setup_convolution2d_nhwc_f32(
+      op, static_cast<size_t>(input.dims[0]), static_cast<size_t>(input.dims[2]), static_cast<size_t>(input.dims[3]),
+      input.data.get(), output.data.get(), node.program.threads());
+  if (ready != xnn_status_success) return BadInput(": XNNPACK does not take its sizes");
+  AddOperator(node, owned);
+  return One(std::move(output));
+}
+
+/// MaxPool and AveragePool.
+NetOutputs Pooling(const NetNode& node) {
+  const auto window = WindowOf(node, node.node.Integers("kernel_shape", {}));
+  if (!window) return window.error();
+  const NetValue input = WithLayout(node, node.inputs[0], NetLayout::kChannelsLast);
+  const bool is_max = node.node.op == "MaxPool";
+  const int64_t height = window->Height(input.dims[2]), width = window->Width(input.dims[3]);
+  const auto leaves_rest = [](int64_t size, int64_t reach, int64_t stride) { return (size - reach) % stride != 0; };
+  const bool has_rest = leaves_rest(input.dims[2] + window->top + window->bottom,
+                                    window->dilation_y * (window->kernel_y - 1) + 1, window->stride_y) ||
+                        leaves_rest(input.dims[3] + window->left + window->right,
+                                    window->dilation_x * (window->kernel_x - 1) + 1, window->stride_x);
+  if (node.node.Integer("ceil_mode", 0) != 0 && has_rest) return BadInput(": it rounds sizes up");
+  if (!is_max && window->HasPadding() && node.node.Integer("count_include_pad", 0) != 0)
+    return BadInput(": it counts its padding");
+  if (window->kernel_y * window->kernel_x == 1 && window->stride_y * window->stride_x == 1) return One(input);
+  NetValue output = node.New({input.dims[0], input.dims[1], height, width}, NetLayout::kChannelsLast);
+  const auto channels = static_cast<size_t>(input.dims[1]), batch = static_cast<size_t>(input.dims[0]);
+  const auto rows = static_cast<size_t>(input.dims[2]), columns = static_cast<size_t>(input.dims[3]);
+  xnn_operator_t op = nullptr;
+  xnn_status status =
+      is_max ? xnn_create_max_pooling2d_nhwc_f32(U(window->top), U(window->right), U(window->bottom), U(window->left),
+                                                 U(window->kernel_y), U(window->kernel_x), U(window->stride_y),
+                                                 U(window->stride_x), U(window->dilation_y), U(window->dilation_x),
+                                                 channels, PixelStep(input), channels, -HUGE_VALF, HUGE_VALF, 0, &op)
+             : xnn_create_average_pooling2d_nhwc_f32(U(window->top), U(window->right), U(window->bottom),
+                                                     U(window->left), U(window->kernel_y), U(window->kernel_x),
+                                                     U(window->stride_y), U(window->stride_x), channels,
+                                                     PixelStep(input), channels, -HUGE_VALF, HUGE_VALF, 0, &op);
+  if (status != xnn_status_success) return BadInput(": XNNPACK does not take its settings");
+  const auto owned = Owned(op);
+  status = is_max ? xnn_setup_max_pooling2d_nhwc_f32(op, batch, rows, columns, input.data.get(), output.data.get(),
+                                                     node.program.threads())
+                  : xnn_setup_average_pooling2d_nhwc_f32(op, batch, rows, columns, input.data.get(), output.data.get(),
+                                                         node.program.threads());
+  if (status != xnn_status_success) return BadInput(": XNNPACK does not take its sizes");
+  AddOperator(node, owned);
+  return One(std::move(output));
+}
+
+/// The mean of each channel.
+NetOutputs GlobalAverage(const NetNode& node) {
+  const NetValue input = WithLayout(node, node.inputs[0], NetLayout::kChannelsLast);
+  NetValue output = node.New({input.dims[0], input.dims[1], 1, 1}, NetLayout::kChannelsLast);
+  const auto channels = static_cast<size_t>(input.dims[1]);
+  xnn_operator_t op = nullptr;
+  if (xnn_create_global_average_pooling_nwc_f32(channels, PixelStep(input), channels, -HUGE_VALF, HUGE_VALF, 0, &op) !=
+      xnn_status_success)
+    return BadInput(": XNNPACK does not take its settings");
+  const auto owned = Owned(op);
+  const xnn_status ready = xnn_setup_global_average_pooling_nwc_f32(
+      op, static_cast<size_t>(input.dims[0]), static_cast<size_t>(input.dims[2] * input.dims[3]), input.data.get(),
+      output.data.get(), node.program.threads());
+  if (ready != xnn_status_success) return BadInput(": XNNPACK does not take its sizes");
+  AddOperator(node, owned);
+  return One(std::move(output));
+}
+
+/// Whether a mean is that of whole pictures, which keeps their axes.
+bool IsGlobalMean(const NetNode& node) {
+  if (node.node.op == "GlobalAveragePool") return node.Has(0) && node.inputs[0].rank() == 4;
+  if (node.node.op != "ReduceMean" || !node.Has(0) || node.inputs[0].rank() != 4 ||
+      node.node.Integer("keepdims", 1) == 0)
+    return false;
+  auto axes = node.Integers("axes", 1);
+  if (!axes || axes->size() != 2) return false;
+  for (int64_t& axis : *axes) axis += axis < 0 ? 4 : 0;
+  std::sort(axes->begin(), axes->end());
+  return *axes == Dims{2, 3};
+}
+
+/// By how much Resize and Upsample enlarge; an error where it is no whole number.
+Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node) {
+  const NetValue& input = node.inputs[0];
+  std::vector<float> scales;
+  if (const OnnxAttribute* found = node.node.Find("scales")) scales = found->floats;
+  for (const size_t index : {size_t{1}, size_t{2}}) {  // newer files have a region of interest before it
+    if (node.Has(index) && node.inputs[index].is_constant && node.inputs[index].size() == 4)
+      scales = NumbersOf(node.inputs[index]);
+  }
+  if (node.Has(3) && node.inputs[3].is_constant && node.inputs[3].size() == 4) {
+    scales = NumbersOf(node.inputs[3]);
+    for (size_t i = 0; i < 4; ++i) scales[i] /= static_cast<float>(input.dims[i]);
+  }
+  const std::string mode = node.node.Text("mode", "nearest"),
+                    how = node.node.Text("coordinate_transformation_mode", "half_pixel");
+  const bool is_whole = scales.size() == 4 && scales[0] == 1 && scales[1] == 1 && scales[2] >= 1 && scales[3] >= 1 &&
+                        scales[2] == std::floor(scales[2]) && scales[3] == std::floor(scales[3]);
+  if (!is_whole || mode != "nearest" || how == "align_corners" || how == "tf_crop_and_resize")
+    return BadInput(": only the nearest pixel at a whole factor is read");
+  return std::pair(static_cast<int64_t>(scales[2]), static_cast<int64_t>(scales[3]));
+}
+
+/// At whole factors all ways to choose the nearest pixel are the same.
+NetOutputs Enlargement(const NetNode& node) {
+  if (node.inputs[0].rank() != 4) return BadInput(": only pictures are read");
+  const auto factors = EnlargementOf(node);
+  if (!factors) return factors.error();
+  const auto [by_y, by_x] = *factors;
+  const NetValue input = WithLayout(node, node.inputs[0], NetLayout::kChannelsLast);
+  NetValue output =
+      node.New({input.dims[0], input.dims[1], input.dims[2] * by_y, input.dims[3] * by_x}, NetLayout::kChannelsLast);
+  const int64_t rows = input.dims[0] * input.dims[2], columns = input.dims[3], channels = input.dims[1];
+  const auto pixel = static_cast<int64_t>(PixelStep(input));
+  node.Add([=, to = output.data.get(), from = input.data.get(), up_y = by_y, up_x = by_x] {
+    const int64_t row_size = columns * up_x * channels;
+    for (int64_t y = 0; y < rows; ++y) {
+      float* row = to + y * up_y * row_size;
+      for (int64_t x = 0; x < columns * up_x; ++x)
+        std::memcpy(row + x * channels, from + (y * columns + x / up_x) * pixel,
+                    static_cast<size_t>(channels) * sizeof(float));
+      for (int64_t again = 1; again < up_y; ++again)
+        std::memcpy(row + again * row_size, row, static_cast<size_t>(row_size) * sizeof(float));
+    }
+  });
+  return One(std::move(output));
+}
+
+}  // namespace
+
+NetOutputs AddPictureOperator(const NetNode& node) {
+  const std::string& op = node.node.op;
+  if (!node.Has(0)) return NotMine();
+  if (op == "Conv") return Convolution(node);
+  if (op == "MaxPool" || op == "AveragePool") return Pooling(node);
+  if (op == "Resize" || op == "Upsample") return Enlargement(node);
+  if (IsGlobalMean(node)) return GlobalAverage(node);
+  return NotMine();
+}
+
+}  // namespace yorb
