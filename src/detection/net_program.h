@@ -72,9 +72,9 @@ NetOutputs AddPictureOperator(const NetNode& node);  ///< Conv, MaxPool, Resize 
 /// The same numbers with others' layout: a copy, unless they lie so already.
 NetValue WithLayout(const NetNode& node, const NetValue& value, NetLayout layout);
 
-/// x * sigmoid(x), and x * clamp(x / 6 + 1/2, 0, 1).
-NetValue AddSilu(const NetNode& node, const NetValue& value);
-NetValue AddHardSwish(const NetNode& node, const NetValue& value);
+/// x * sigmoid(x), and x * clamp(x / 6 + 1/2, 0, 1); in the place of x where nobody else reads it.
+NetValue AddSilu(const NetNode& node, const NetValue& value, bool is_in_place);
+NetValue AddHardSwish(const NetNode& node, const NetValue& value, bool is_in_place);
 
 /// For operators that another family knows.
 inline Error NotMine() { return BadInput(""); }
