@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Operators on pictures, channels next to each other: XNNPACK's where it has them.
+#include "detection/net_program.h"
+
+#if defined(YORB_HAS_XNNPACK)
 #include <xnnpack.h>
 
 #include <algorithm>
 #include <cstring>
 #include <utility>
-
-#include "detection/net_program.h"
 
 namespace yorb {
 namespace {
@@ -253,3 +254,13 @@ NetOutputs AddPictureOperator(const NetNode& node) {
 }
 
 }  // namespace yorb
+
+#else
+
+namespace yorb {
+
+NetOutputs AddPictureOperator(const NetNode&) { return NotMine(); }
+
+}  // namespace yorb
+
+#endif

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "detection/engine.h"
+
+#if defined(YORB_HAS_XNNPACK)
 #include <pthreadpool.h>
 #include <xnnpack.h>
 
 #include <utility>
 
-#include "detection/engine.h"
 #include "detection/net_compile.h"
 
 namespace yorb {
@@ -55,3 +57,15 @@ Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel& model, const 
 }
 
 }  // namespace yorb
+
+#else
+
+namespace yorb {
+
+Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel&, const EngineInput&, int) {
+  return BadInput("graph: this build is without XNNPACK");
+}
+
+}  // namespace yorb
+
+#endif
