@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 struct DetectArguments {
   std::vector<std::string> places;
   std::string model, evaluate, set, engine = "auto";
-  std::optional<std::string> confidence, most_overlap, classes, save;
+  std::optional<std::string> confidence, most_overlap, classes, save, size;
   bool wants_json = false;
 };
 
@@ -41,6 +41,18 @@ Result<double> ReadShare(const std::optional<std::string>& text, const char* opt
   if (!value || !(*value >= 0.001 && *value <= 1))
     return BadInput(std::string(option) + " " + *text + " must be a number from 0.001 to 1");
   return *value;
+}
+
+/// "320x256": width before height.
+Result<cv::Size> ReadSize(const std::optional<std::string>& text) {
+  if (!text) return cv::Size();
+  const auto parts = SplitAt(*text, 'x');
+  const auto width = ParseInteger(parts.front()), height = ParseInteger(parts.back());
+  const bool is_sound =
+      parts.size() <= 2 && width && height && *width > 0 && *height > 0 && *width <= 4096 && *height <= 4096;
+  if (!is_sound || *width % 32 != 0 || *height % 32 != 0)
+    return BadInput("--size " + *text + " must be WIDTHxHEIGHT, multiples of 32 up to 4096, such as 320x256");
+  return cv::Size(static_cast<int>(*width), static_cast<int>(*height));
 }
 
 Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
@@ -55,6 +67,9 @@ Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
   const auto most_overlap =
       ReadShare(arguments.most_overlap, "--iou", is_evaluation ? kEvaluationOverlap : options.most_overlap);
   if (!most_overlap) return most_overlap.error();
+  const auto size = ReadSize(arguments.size);
+  if (!size) return size.error();
+  options.width = size->width, options.height = size->height;
   options.confidence = is_evaluation ? kLeastConfidence : *confidence;
   options.most_overlap = *most_overlap;
   return options;

@@ -44,6 +44,7 @@ TEST(HeadLayout, RawMapsMayStandInAnyOrderAndHaveAnAxisForTheAnchors) {
   ExpectLayout(Facts({{1, 21, 2, 2}, {1, 21, 8, 8}, {1, 21, 4, 4}}, 2), LayoutKind::kRawMaps, 2);
   ExpectLayout(Facts({{1, 3, 8, 8, 7}, {1, 3, 4, 4, 7}, {1, 3, 2, 2, 7}}, 2), LayoutKind::kRawMaps, 2);
   ExpectLayout(Facts({{1, 3, 7, 8, 8}, {1, 3, 7, 4, 4}, {1, 3, 7, 2, 2}}, 2), LayoutKind::kRawMaps, 2);
+  ExpectLayout(Facts({{1, 3, 8, 8, 8}, {1, 3, 8, 4, 4}, {1, 3, 8, 2, 2}}, 3), LayoutKind::kRawMaps, 3);
   const auto layout = RecogniseLayout(Facts({{1, 21, 1, 2}, {1, 21, 4, 8}, {1, 21, 2, 4}}, 0, 64, 32));
   ASSERT_TRUE(layout) << layout.error().message;
   EXPECT_EQ(layout->maps[0].output, 1u);

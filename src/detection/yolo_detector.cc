@@ -84,6 +84,9 @@ Result<std::string> DefaultNetwork() {
 }
 
 Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions& options) {
+  if ((options.width > 0) != (options.height > 0))
+    return BadInput(
+        "detection.width and detection.height go together; 0 for both takes the size that the network's file says");
   const auto path = options.model.empty() ? DefaultNetwork() : Result<std::string>(options.model);
   if (!path) return path.error();
   auto network = OpenNetwork(*path, {options.width, options.height});

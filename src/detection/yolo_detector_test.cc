@@ -115,6 +115,39 @@ TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {
   EXPECT_THAT(YoloDetector::Open(options).error().message, HasSubstr("1 class names"));
 }
 
+TEST(YoloDetector, TheSizeIsTheFilesOrItsMetadatasOrTheUsers) {
+  const NetworkFolder folder;
+  DetectionOptions options;
+  const auto size_of = [&](const TestNetwork& net) {
+    options.model = folder.Write("net.onnx", net.Bytes());
+    const auto detector = YoloDetector::Open(options);
+    EXPECT_TRUE(detector) << detector.error().message;
+    return detector ? (*detector)->input_size() : cv::Size();
+  };
+  TestNetwork net(96, 64);
+  for (const int stride : {8, 16, 32})
+    net.Output(net.Op("Sigmoid", {net.Conv("images", 3, 21, stride, stride)}), {1, 21, 64 / stride, 96 / stride});
+  for (OnnxNode& node : net.model.nodes) {
+    if (node.op == "Conv") node.attributes[2].ints = {0, 0, 0, 0};  // no padding: cells side by side
+  }
+  EXPECT_EQ(size_of(net), cv::Size(96, 64));
+  net.model.inputs[0].dims = {-1, 3, -1, -1};
+  net.model.metadata["imgsz"] = "[64, 128]";
+  EXPECT_EQ(size_of(net), cv::Size(128, 64)) << "height comes first";
+  net.model.metadata["imgsz"] = "160";
+  EXPECT_EQ(size_of(net), cv::Size(160, 160));
+  net.model.metadata.clear();
+  EXPECT_EQ(size_of(net), cv::Size(640, 640));
+  options.width = 320, options.height = 256;
+  EXPECT_EQ(size_of(net), cv::Size(320, 256));
+  net.model.inputs[0].dims = {1, 3, 64, 96};
+  EXPECT_EQ(size_of(net), cv::Size(320, 256));
+  options.model = folder.Write("decoded.onnx", TwoColourNetwork().Bytes());
+  const auto fixed = YoloDetector::Open(options);
+  ASSERT_FALSE(fixed) << "its boxes are decoded for one size within the graph";
+  EXPECT_THAT(fixed.error().message, HasSubstr("decoded.onnx"));
+}
+
 TEST(YoloDetector, EightyClassesWithoutNamesAreCocos) {
   TestNetwork net(64, 64);
   net.Output(net.Op("Mul", {net.Constant({1, 84, 84}, std::vector<float>(84 * 84, 0)),
