@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/picture_size.h"
 #include "apps/signals.h"
 #include "core/files.h"
 #include "core/log.h"
@@ -43,18 +44,6 @@ Result<double> ReadShare(const std::optional<std::string>& text, const char* opt
   return *value;
 }
 
-/// "320x256": width before height.
-Result<cv::Size> ReadSize(const std::optional<std::string>& text) {
-  if (!text) return cv::Size();
-  const auto parts = SplitAt(*text, 'x');
-  const auto width = ParseInteger(parts.front()), height = ParseInteger(parts.back());
-  const bool is_sound =
-      parts.size() <= 2 && width && height && *width > 0 && *height > 0 && *width <= 4096 && *height <= 4096;
-  if (!is_sound || *width % 32 != 0 || *height % 32 != 0)
-    return BadInput("--size " + *text + " must be WIDTHxHEIGHT, multiples of 32 up to 4096, such as 320x256");
-  return cv::Size(static_cast<int>(*width), static_cast<int>(*height));
-}
-
 Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
   // Evaluations want to see the whole curve, down to the weakest boxes, and doubles judged as the literature does.
   constexpr double kLeastConfidence = 0.001, kEvaluationOverlap = 0.6;
@@ -67,7 +56,7 @@ Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
   const auto most_overlap =
       ReadShare(arguments.most_overlap, "--iou", is_evaluation ? kEvaluationOverlap : options.most_overlap);
   if (!most_overlap) return most_overlap.error();
-  const auto size = ReadSize(arguments.size);
+  const auto size = ReadPictureSize(arguments.size);
   if (!size) return size.error();
   options.width = size->width, options.height = size->height;
   options.confidence = is_evaluation ? kLeastConfidence : *confidence;

@@ -87,6 +87,7 @@ class NetCompiler {
       }
     }
     if (!*outputs) return BadInput(unknown + outputs->error().message);
+    net_.shapes.push_back((*outputs)->empty() ? std::vector<int64_t>() : (**outputs)[0].dims);
     if ((*outputs)->size() < node.outputs.size()) return BadInput(unknown + ": more outputs than are known");
     if (node.op == "Conv") convolved_.insert(node.outputs[0]);
     for (size_t i = 0; i < node.outputs.size(); ++i) {
@@ -164,6 +165,7 @@ class NetCompiler {
 }  // namespace
 
 Result<CompiledNet> CompileNet(const OnnxModel& model, const EngineInput& input, pthreadpool* threads) {
+  if (!PrepareKernels()) return BadInput("instructions on this processor");
   CompiledNet net;
   net.program.SetThreads(threads);
   if (Status status = NetCompiler(model, net).Compile(input); !status) return status.error();

@@ -243,6 +243,8 @@ NetOutputs Enlargement(const NetNode& node) {
 
 }  // namespace
 
+bool PrepareKernels() { return xnn_initialize(nullptr) == xnn_status_success; }
+
 NetOutputs AddPictureOperator(const NetNode& node) {
   const std::string& op = node.node.op;
   if (!node.Has(0)) return NotMine();
@@ -258,6 +260,8 @@ NetOutputs AddPictureOperator(const NetNode& node) {
 #else
 
 namespace yorb {
+
+bool PrepareKernels() { return true; }
 
 NetOutputs AddPictureOperator(const NetNode&) { return NotMine(); }
 

@@ -69,6 +69,9 @@ NetOutputs AddShapeOperator(const NetNode& node);    ///< Reshape, Transpose, Sl
 NetOutputs AddArithmetic(const NetNode& node);       ///< Add, Mul, Exp, Softmax, MatMul ...
 NetOutputs AddPictureOperator(const NetNode& node);  ///< Conv, MaxPool, Resize ...: by XNNPACK where it has them
 
+/// Gets the kernels ready, as often as one likes; false on processors that they are not made for.
+bool PrepareKernels();
+
 /// The same numbers with others' layout: a copy, unless they lie so already.
 NetValue WithLayout(const NetNode& node, const NetValue& value, NetLayout layout);
 

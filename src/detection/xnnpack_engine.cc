@@ -4,7 +4,6 @@
 
 #if defined(YORB_HAS_XNNPACK)
 #include <pthreadpool.h>
-#include <xnnpack.h>
 
 #include <utility>
 
@@ -49,7 +48,6 @@ class XnnpackEngine : public Engine {
 }  // namespace
 
 Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel& model, const EngineInput& input, int threads) {
-  if (xnn_initialize(nullptr) != xnn_status_success) return BadInput("this processor");
   Threads pool = MakeThreads(threads);
   auto net = CompileNet(model, input, pool.get());
   if (!net) return net.error();
