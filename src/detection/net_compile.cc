@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <optional>
 #include <set>
 #include <utility>
@@ -168,7 +169,11 @@ Result<CompiledNet> CompileNet(const OnnxModel& model, const EngineInput& input,
   if (!PrepareKernels()) return BadInput("instructions on this processor");
   CompiledNet net;
   net.program.SetThreads(threads);
-  if (Status status = NetCompiler(model, net).Compile(input); !status) return status.error();
+  try {
+    if (Status status = NetCompiler(model, net).Compile(input); !status) return status.error();
+  } catch (const std::bad_alloc&) {
+    return BadInput("shapes: they need more memory than there is");
+  }
   return net;
 }
 

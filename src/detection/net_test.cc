@@ -252,6 +252,31 @@ TEST(Net, AnOperatorThatIsNotKnownIsNamed) {
   EXPECT_THAT(engine.error().message, testing::HasSubstr("Gelu"));
 }
 
+TEST(Net, DamagedNetworksAreRefusedOrRunWithinTheirBuffers) {
+  TestNetwork net(64, 64);
+  const std::string x = net.Conv("images", 3, 8, 3, 2);
+  const std::string pooled =
+      net.Op("MaxPool", {x}, {IntsAttribute("kernel_shape", {5, 5}), IntsAttribute("pads", {2, 2, 2, 2})});
+  const auto parts = net.Ops("Split", {pooled, net.Whole({3, 5})}, {IntAttribute("axis", 1)}, 2);
+  const std::string cut = net.Op("Slice", {parts[1], net.Whole({1}), net.Whole({9}), net.Whole({2}), net.Whole({2})});
+  const std::string turned = net.Op("Transpose", {net.Reshaped(cut, {5, -1})}, {IntsAttribute("perm", {1, 0})});
+  net.Output(net.Op("Softmax", {net.Op("MatMul", {turned, net.Random({5, 3})})}, {IntAttribute("axis", -1)}), {128, 3});
+  const std::string bytes = net.Bytes();
+  const cv::Mat picture = TestPicture(64, 64);
+  Random random(5);
+  int num_run = 0;
+  for (int round = 0; round < 1500; ++round) {
+    std::string damaged = bytes;
+    for (int i = 0; i < 2; ++i)
+      damaged[random.Below(static_cast<uint32_t>(bytes.size()))] = static_cast<char>(random.Below(256));
+    const auto model = ReadOnnxBytes(damaged, "damaged.onnx");
+    if (!model || model->inputs[0].dims != net.model.inputs[0].dims) continue;
+    const auto engine = MakeXnnpackEngine(*model, InputOf(*model), 1);
+    if (engine && (*engine)->Run(picture)) ++num_run;
+  }
+  EXPECT_GT(num_run, 100);
+}
+
 TEST(Net, SeveralThreadsGiveTheSame) {
   TestNetwork net(64, 64);
   const std::string x = net.Conv("images", 3, 32, 3, 2);
