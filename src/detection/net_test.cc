@@ -89,6 +89,19 @@ TEST(Net, ConvolutionsOfAllKindsAreAsOpenCvs) {
   }
 }
 
+TEST(Net, ConvolutionsByWinogradsWayAreAsOpenCvs) {
+  for (const auto& [width, height] : {std::pair(16, 8), std::pair(15, 9), std::pair(1, 1), std::pair(2, 7)}) {
+    TestNetwork net(width, height);
+    const std::string wide = net.Conv("images", 3, 80, 1, 1);
+    const std::string part = net.Ops("Split", {wide, net.Whole({48, 32})}, {IntAttribute("axis", 1)}, 2)[1];
+    net.Output(net.Op("Relu", {net.Conv(part, 32, 40, 3, 1)}), {1, 40, height, width});
+    const std::string no_bias = net.Op("Conv", {wide, net.Random({32, 80, 3, 3}, .1)},
+                                       {IntsAttribute("kernel_shape", {3, 3}), IntsAttribute("pads", {1, 1, 1, 1})});
+    net.Output(no_bias, {1, 32, height, width});
+    ExpectAsOpenCv(net);
+  }
+}
+
 TEST(Net, ABlockOfMobileNetIsAsOpenCvs) {
   TestNetwork net(64, 64);
   const OnnxAttribute sixth = FloatAttribute("alpha", 1.f / 6), half = FloatAttribute("beta", 0.5f);
