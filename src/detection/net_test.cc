@@ -91,9 +91,10 @@ TEST(Net, ConvolutionsOfAllKindsAreAsOpenCvs) {
 
 TEST(Net, ConvolutionsByWinogradsWayAreAsOpenCvs) {
   for (const auto& [width, height] : {std::pair(16, 8), std::pair(15, 9), std::pair(1, 1), std::pair(2, 7)}) {
-    TestNetwork net(width, height);
+    TestNetwork net(width, height, 11);
     const std::string wide = net.Conv("images", 3, 80, 1, 1);
-    const std::string part = net.Ops("Split", {wide, net.Whole({48, 32})}, {IntAttribute("axis", 1)}, 2)[1];
+    const std::string part =
+        net.Ops("Split", {wide}, {IntAttribute("axis", 1), IntsAttribute("split", {48, 32})}, 2)[1];
     net.Output(net.Op("Relu", {net.Conv(part, 32, 40, 3, 1)}), {1, 40, height, width});
     const std::string no_bias = net.Op("Conv", {wide, net.Random({32, 80, 3, 3}, .1)},
                                        {IntsAttribute("kernel_shape", {3, 3}), IntsAttribute("pads", {1, 1, 1, 1})});
