@@ -20,7 +20,7 @@ namespace yorb {
 namespace {
 
 struct DetectorArguments {
-  std::vector<std::string> models;
+  std::vector<std::string> models, sequences;
   std::optional<std::string> labelled, size, pictures, out;
   std::string set;
   size_t rounds = 30;
@@ -56,6 +56,7 @@ Status Bench(const DetectorArguments& arguments) {
   options.size = *size;
   options.labelled = arguments.labelled;
   options.set = arguments.set;
+  options.sequences = arguments.sequences;
   options.rounds = arguments.rounds;
   options.should_stop = IsStopAsked;
   const auto report = MeasureDetectors(options);
@@ -78,6 +79,11 @@ void AddBenchDetector(CLI::App& bench, Action& action) {
   command->add_option("--evaluate", a->labelled, "Labelled pictures in YOLO's layout: recall, precision, mAP")
       ->type_name("DIR");
   command->add_option("--set", a->set, "Only DIR/images/NAME")->type_name("NAME");
+  command
+      ->add_option("--sequence", a->sequences,
+                   "A sequence with a people.txt: how many of its people are found; may be given often")
+      ->allow_extra_args(false)
+      ->type_name("DIR");
   command->add_option("--size", a->size, "Of all networks' inputs, multiples of 32 [as each file says]")
       ->type_name("WxH");
   command->add_option("--rounds", a->rounds, "Timed runs of each network [30]")->type_name("N");

@@ -125,6 +125,18 @@ Result<DetectorJudgement> Judge(const LabelledSet& set, const std::string& path,
   return JudgeDetector(set, **detector, {options.confidence, {}, options.should_stop});
 }
 
+Result<std::vector<PeopleScore>> FindPeople(const std::string& path, const DetectorBenchOptions& options) {
+  auto detector = YoloDetector::Open(OptionsFor(path, options));
+  if (!detector) return detector.error();
+  std::vector<PeopleScore> scores;
+  for (const std::string& sequence : options.sequences) {
+    auto score = MeasurePeople(sequence, **detector, options.should_stop);
+    if (!score) return score.error();
+    scores.push_back(*std::move(score));
+  }
+  return scores;
+}
+
 }  // namespace
 
 Result<DetectorReport> MeasureDetectors(const DetectorBenchOptions& options) {
@@ -147,6 +159,9 @@ Result<DetectorReport> MeasureDetectors(const DetectorBenchOptions& options) {
       if (!judgement) return judgement.error();
       row->judgement = *std::move(judgement);
     }
+    auto people = FindPeople(options.models[i], options);
+    if (!people) return people.error();
+    row->people = *std::move(people);
     report.networks.push_back(*std::move(row));
   }
   return report;

@@ -11,6 +11,7 @@
 #include "core/files.h"
 #include "core/result.h"
 #include "detection/network_rows.h"
+#include "experiments/detector_people.h"
 #include "runs/judge_detector.h"
 
 namespace yorb {
@@ -21,6 +22,7 @@ struct DetectorBenchOptions {
   cv::Size size;                        ///< of all networks' inputs; empty: each as its file says
   std::optional<std::string> labelled;  ///< folder of labelled pictures, for recall, precision and mAP
   std::string set;                      ///< of these pictures
+  std::vector<std::string> sequences;   ///< with a people.txt each: how many of those people are found
   double confidence = 0.25;             ///< for precision, recall and the pictures
   size_t rounds = 30;                   ///< timed runs of each network
   std::function<bool()> should_stop;
@@ -37,6 +39,7 @@ struct DetectorBenchRow {
   double cpu_ms = 0;                    ///< of this thread, median
   std::optional<double> opencv_cpu_ms;  ///< the same network by OpenCV DNN, runs alternating; nothing where it cannot
   std::optional<DetectorJudgement> judgement;
+  std::vector<PeopleScore> people;    ///< one a sequence
   std::vector<std::string> training;  ///< what the file says of its training, "key: value" (table 6)
 };
 

@@ -86,5 +86,38 @@ TEST(BenchDetector, RunsJudgesAndDrawsAllNetworks) {
   EXPECT_EQ(cv::imdecode(std::vector<char>(png.begin(), png.end()), cv::IMREAD_COLOR).size(), cv::Size(128, 64));
 }
 
+TEST(BenchDetector, PeopleAreFoundOnceAndBoxesOnNobodyAreFalse) {
+  const cv::Size size(100, 100);
+  const TruePerson near{{}, {"person", 1, 10, 10, 30, 50}, 500}, far{{}, {"person", 1, 60, 10, 70, 20}, 100};
+  const TruePerson hidden{{}, {"person", 1, 60, 40, 90, 90}, 400};
+  EXPECT_TRUE(MustBeFound(near, 100, 100));
+  EXPECT_FALSE(MustBeFound(far, 100, 100)) << "1 % of the picture";
+  EXPECT_FALSE(MustBeFound(hidden, 100, 100)) << "27 % body";
+  const std::vector<Box> found{{"Person", .9, 11, 10, 30, 50},
+                               {"person", .8, 10, 10, 30, 50},
+                               {"person", .7, 60, 40, 90, 90},
+                               {"chair", .6, 0, 0, 9, 9}};
+  const PeopleScore score = ScorePeople(found, {near, far, hidden}, size);
+  EXPECT_EQ(score.num_true, 1u);
+  EXPECT_EQ(score.num_found, 1u);
+  EXPECT_EQ(score.num_false, 1u) << "the second box on the same person";
+  EXPECT_EQ(ScorePeople({}, {near}, size).recall(), 0);
+}
+
+TEST(BenchDetector, PeopleOfASequenceAreSought) {
+  const TestFolder folder;
+  WriteRecording(folder, "room", 2);
+  folder.Write("room/people.txt", "# people\n" + Stamp(0) + " 0 0 32 48 1500\n" + Stamp(1) + " 0 0 32 48 1500\n");
+  NullDetector nobody;
+  const auto score = MeasurePeople(folder.Path("room"), nobody, nullptr);
+  ASSERT_TRUE(score) << score.error().message;
+  EXPECT_EQ(score->num_pictures, 2u);
+  EXPECT_EQ(score->num_true, 2u);
+  EXPECT_EQ(score->num_found, 0u);
+  folder.Write("room/people.txt", "1 2 3\n");
+  EXPECT_THAT(MeasurePeople(folder.Path("room"), nobody, nullptr).error().message,
+              testing::HasSubstr("people.txt, line 1"));
+}
+
 }  // namespace
 }  // namespace yorb

@@ -69,6 +69,33 @@ std::optional<double> Map(const DetectorBenchRow& row, bool at_50) {
   return at_50 ? row.judgement->scores.map50 : row.judgement->scores.map50_95;
 }
 
+/// How the people of each sequence are found, a line a network and sequence.
+std::string PeopleText(const DetectorReport& report) {
+  std::vector<Cells> rows{{"sequence", "network", "people", "found", "recall", "false boxes", "pictures"}};
+  for (const DetectorBenchRow& network : report.networks) {
+    for (const PeopleScore& score : network.people) {
+      rows.push_back({score.sequence, network.name, std::to_string(score.num_true), std::to_string(score.num_found),
+                      FormatFixed(score.recall(), 3), std::to_string(score.num_false),
+                      std::to_string(score.num_pictures)});
+    }
+  }
+  if (rows.size() == 1) return "";
+  return "People of people.txt (2 % of the picture or more, 35 % body or more) at an overlap of .5:\n" + Table(rows);
+}
+
+Json PeopleJson(const DetectorBenchRow& network) {
+  Json people = Json::array();
+  for (const PeopleScore& score : network.people) {
+    people.push_back({{"sequence", score.sequence},
+                      {"people", score.num_true},
+                      {"found", score.num_found},
+                      {"recall", score.recall()},
+                      {"false_boxes", score.num_false},
+                      {"pictures", score.num_pictures}});
+  }
+  return people;
+}
+
 Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 }  // namespace
@@ -92,7 +119,7 @@ std::string DetectorText(const DetectorReport& report) {
   text +=
       "Networks side by side, one thread, picture of 640x480 to boxes; layers are convolutions; x OpenCV: CPU time "
       "against OpenCV DNN's in turns:\n";
-  return text + Table(rows);
+  return text + Table(rows) + PeopleText(report);
 }
 
 std::string DetectorJson(const DetectorReport& report) {
@@ -126,6 +153,7 @@ std::string DetectorJson(const DetectorReport& report) {
                         {"precision", OrNull(MeanOf(row.judgement, true))},
                         {"map50", OrNull(Map(row, true))},
                         {"map50_95", OrNull(Map(row, false))},
+                        {"people", PeopleJson(row)},
                         {"training", row.training}});
   }
   return Json{{"networks", networks}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
