@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "apps/bench_detector.h"
 #include "apps/bench_features.h"
 #include "apps/bench_light.h"
 #include "apps/command.h"
@@ -45,6 +46,7 @@ void AddBenchCommand(CLI::App& program, Action& action) {
   speed->callback([arguments, &action] { action = [arguments] { return Speed(*arguments); }; });
   AddBenchLight(*bench, action);
   AddBenchFeatures(*bench, action);
+  AddBenchDetector(*bench, action);
 }
 
 }  // namespace yorb

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "apps/picture_size.h"
 #include "apps/signals.h"
 #include "core/files.h"
 #include "core/log.h"
@@ -31,7 +32,7 @@ namespace fs = std::filesystem;
 struct DetectArguments {
   std::vector<std::string> places;
   std::string model, evaluate, set, engine = "auto";
-  std::optional<std::string> confidence, most_overlap, classes, save;
+  std::optional<std::string> confidence, most_overlap, classes, save, size;
   bool wants_json = false;
 };
 
@@ -55,6 +56,9 @@ Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
   const auto most_overlap =
       ReadShare(arguments.most_overlap, "--iou", is_evaluation ? kEvaluationOverlap : options.most_overlap);
   if (!most_overlap) return most_overlap.error();
+  const auto size = ReadPictureSize(arguments.size);
+  if (!size) return size.error();
+  options.width = size->width, options.height = size->height;
   options.confidence = is_evaluation ? kLeastConfidence : *confidence;
   options.most_overlap = *most_overlap;
   return options;

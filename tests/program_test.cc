@@ -89,7 +89,7 @@ class Program : public testing::Test {
 };
 
 TEST_F(Program, HelpAndVersionAreNoErrors) {
-  for (const char* command : {"run", "check", "eval", "synth", "bench"}) {
+  for (const char* command : {"run", "check", "eval", "synth", "detect", "bench"}) {
     const Outcome help = Call({command, "--help"});
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.out, HasSubstr("yorb " + std::string(command))) << "examples of use";

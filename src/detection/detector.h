@@ -42,7 +42,7 @@ struct DetectionOptions {
   std::string model;            ///< an ONNX file; empty: models/yolo_mo.onnx of this installation
   double confidence = 0.25;     ///< boxes below it are not reported
   double most_overlap = 0.45;   ///< of two boxes of one class (IoU); beyond it the weaker one is a double
-  int width = 0;                ///< of the network's input, px, where its file leaves it open; 0: as the file says
+  int width = 0;                ///< of the network's input, px; 0: as its file says
   int height = 0;               ///< the same
   std::string engine = "auto";  ///< auto: the fastest that knows all operators of the network
   int threads = 1;              ///< of the engine; more of them pay on idle machines only

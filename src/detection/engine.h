@@ -50,4 +50,7 @@ Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const E
 /// as "operator Gelu".
 Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel& model, const EngineInput& input, int threads);
 
+/// ONNX Runtime, where the build found it; the error as above.
+Result<std::unique_ptr<Engine>> MakeOnnxRuntimeEngine(const OnnxModel& model, const EngineInput& input, int threads);
+
 }  // namespace yorb

@@ -60,8 +60,9 @@ std::optional<HeadLayout> FromRows(size_t output, const HeadFacts& facts) {
   return std::nullopt;
 }
 
-/// The strides and axes of a raw map; nothing where the shape is none.
-std::optional<RawMap> MapOf(size_t output, const HeadFacts& facts) {
+/// The strides and axes of a raw map; nothing where the shape is none. Where anchors have an axis of their own, a box's
+/// numbers stand behind the cells or before them.
+std::optional<RawMap> MapOf(size_t output, const HeadFacts& facts, bool are_values_last) {
   const Shape& shape = facts.shapes[output];
   RawMap map;
   map.output = output;
@@ -69,11 +70,7 @@ std::optional<RawMap> MapOf(size_t output, const HeadFacts& facts) {
     map.value_axis = 1, map.y_axis = 2, map.x_axis = 3;
   } else if (shape.size() == 5 && shape[1] == kAnchors) {
     map.anchor_axis = 1;
-    const bool are_values_last =
-        facts.height / std::max<int64_t>(shape[2], 1) == facts.width / std::max<int64_t>(shape[3], 1) &&
-        facts.height % std::max<int64_t>(shape[2], 1) == 0;
-    map.value_axis = are_values_last ? 4 : 2, map.y_axis = are_values_last ? 2 : 3,
-    map.x_axis = are_values_last ? 3 : 4;
+    map.value_axis = are_values_last ? 4 : 2, map.y_axis = are_values_last ? 2 : 3, map.x_axis = map.y_axis + 1;
   } else {
     return std::nullopt;
   }
@@ -93,11 +90,11 @@ int64_t NumValues(const RawMap& map, const HeadFacts& facts) {
   return size % kAnchors == 0 ? size / kAnchors : 0;
 }
 
-std::optional<HeadLayout> FromMaps(const HeadFacts& facts) {
+std::optional<HeadLayout> FromMaps(const HeadFacts& facts, bool are_values_last) {
   constexpr int64_t kCocoWithoutAnchors = 64 + 80;  // YOLOv8's own raw maps, which three divides as well
   HeadLayout layout;
   for (size_t i = 0; i < facts.shapes.size(); ++i) {
-    const auto map = MapOf(i, facts);
+    const auto map = MapOf(i, facts, are_values_last);
     if (map) layout.maps.push_back(*map);
   }
   if (layout.maps.size() != facts.shapes.size() || layout.maps.size() < 3) return std::nullopt;
@@ -129,7 +126,9 @@ Result<HeadLayout> RecogniseLayout(const HeadFacts& facts) {
   for (size_t i = 0; i < facts.shapes.size(); ++i) {
     if (const auto layout = FromRows(i, facts)) return *layout;
   }
-  if (const auto layout = FromMaps(facts)) return *layout;
+  for (const bool are_values_last : {true, false}) {
+    if (const auto layout = FromMaps(facts, are_values_last)) return *layout;
+  }
   std::string shapes;
   for (size_t i = 0; i < std::min<size_t>(facts.shapes.size(), 6); ++i)
     shapes += (i > 0 ? ", " : "") + ShapeText(facts.shapes[i]);

@@ -6,13 +6,29 @@
 
 namespace yorb {
 
+namespace {
+
+using Made = Result<std::unique_ptr<Engine>>;
+
+Error CannotRun(const std::string& path, const char* engine, const Error& reason) {
+  return BadInput(path + " cannot be run by " + engine + ": " + reason.message);
+}
+
+}  // namespace
+
 Result<std::unique_ptr<Engine>> MakeEngine(const OnnxModel& model, const EngineInput& input,
                                            const DetectionOptions& options) {
   if (options.engine == "opencv") return MakeOpenCvEngine(model, input);
-  auto fast = MakeXnnpackEngine(model, input, options.threads);
-  if (fast) return fast;
-  if (options.engine == "xnnpack") return BadInput(input.path + " cannot be run by XNNPACK: " + fast.error().message);
-  LogInfo(input.path + ": XNNPACK does not know its " + fast.error().message + "; OpenCV runs it");
+  const bool may_choose = options.engine == "auto";
+  if (may_choose || options.engine == "onnxruntime") {
+    Made made = MakeOnnxRuntimeEngine(model, input, options.threads);
+    if (made) return made;
+    if (!may_choose) return CannotRun(input.path, "ONNX Runtime", made.error());
+  }
+  Made made = MakeXnnpackEngine(model, input, options.threads);
+  if (made) return made;
+  if (!may_choose) return CannotRun(input.path, "XNNPACK", made.error());
+  LogInfo(input.path + ": XNNPACK does not know its " + made.error().message + "; OpenCV runs it");
   return MakeOpenCvEngine(model, input);
 }
 

@@ -89,15 +89,26 @@ NetOutputs Unary(const NetNode& node, const F& f) {
   return One(std::move(result));
 }
 
+using Kernel = void (*)(const float*, float*, size_t);
+
 /// Operators with a vector kernel over numbers that lie in one piece.
-NetValue Flat(const NetNode& node, const NetValue& value, void (*kernel)(const float*, float*, size_t)) {
+NetValue Flat(const NetNode& node, const NetValue& value, Kernel kernel, bool is_in_place) {
+  const NetLayout layout = IsChannelsLast(value) ? NetLayout::kChannelsLast : NetLayout::kDense;
   NetValue from = value;
-  if (!IsFilled(from)) from = WithLayout(node, value, value.rank() == 4 ? NetLayout::kChannelsLast : NetLayout::kDense);
-  if (!IsFilled(from)) from = WithLayout(node, value, NetLayout::kDense);
-  NetValue result = NewLike(node, from.dims, from);
-  node.program.Add([kernel, to = result.data.get(), x = from.data.get(),
-                    size = static_cast<size_t>(from.size())] { kernel(x, to, size); },
-                   node.is_constant);
+  if (!IsFilled(value)) {  // a view: pixels or axes with gaps between them
+    from = node.New(value.dims, layout);
+    const NetLoop<2> loop(value.dims, {from.strides, value.strides});
+    node.Add([loop, to = from.data.get(), x = value.data.get()] {
+      loop.Run([&](const auto& at, int64_t count, const auto& steps) {
+        for (int64_t i = 0; i < count; ++i) to[at[0] + i * steps[0]] = x[at[1] + i * steps[1]];
+      });
+    });
+    is_in_place = true;
+  }
+  const NetValue result = is_in_place ? from : NewLike(node, from.dims, from);
+  node.Add([kernel, to = result.data.get(), x = from.data.get(), size = static_cast<size_t>(from.size())] {
+    kernel(x, to, size);
+  });
   return result;
 }
 
@@ -124,7 +135,7 @@ NetOutputs AddBinary(const NetNode& node) {
 
 NetOutputs AddUnary(const NetNode& node) {
   const std::string& op = node.node.op;
-  if (op == "Sigmoid") return One(Flat(node, node.inputs[0], Sigmoids));
+  if (op == "Sigmoid") return One(Flat(node, node.inputs[0], Sigmoids, false));
   if (op == "Relu") return Unary(node, [](float x) { return std::max(x, 0.f); });
   if (op == "Exp") return Unary(node, [](float x) { return std::exp(x); });
   if (op == "Log") return Unary(node, [](float x) { return std::log(x); });
@@ -135,7 +146,7 @@ NetOutputs AddUnary(const NetNode& node) {
   if (op == "Ceil") return Unary(node, [](float x) { return std::ceil(x); });
   if (op == "Tanh") return Unary(node, [](float x) { return std::tanh(x); });
   if (op == "Softplus") return Unary(node, [](float x) { return x > 20 ? x : std::log1p(std::exp(x)); });
-  if (op == "HardSwish") return One(AddHardSwish(node, node.inputs[0]));
+  if (op == "HardSwish") return One(AddHardSwish(node, node.inputs[0], false));
   if (op == "LeakyRelu")
     return Unary(node, [slope = node.node.Number("alpha", 0.01f)](float x) { return x < 0 ? slope * x : x; });
   if (op == "HardSigmoid") {
@@ -249,9 +260,13 @@ NetOutputs Reduce(const NetNode& node) {
 
 }  // namespace
 
-NetValue AddSilu(const NetNode& node, const NetValue& value) { return Flat(node, value, Silus); }
+NetValue AddSilu(const NetNode& node, const NetValue& value, bool is_in_place) {
+  return Flat(node, value, Silus, is_in_place);
+}
 
-NetValue AddHardSwish(const NetNode& node, const NetValue& value) { return Flat(node, value, HardSwishes); }
+NetValue AddHardSwish(const NetNode& node, const NetValue& value, bool is_in_place) {
+  return Flat(node, value, HardSwishes, is_in_place);
+}
 
 NetOutputs AddArithmetic(const NetNode& node) {
   if (!node.Has(0)) return BadInput(": an input is missing");

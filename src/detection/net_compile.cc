@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <optional>
 #include <set>
 #include <utility>
@@ -87,7 +88,9 @@ class NetCompiler {
       }
     }
     if (!*outputs) return BadInput(unknown + outputs->error().message);
+    net_.shapes.push_back((*outputs)->empty() ? std::vector<int64_t>() : (**outputs)[0].dims);
     if ((*outputs)->size() < node.outputs.size()) return BadInput(unknown + ": more outputs than are known");
+    if (node.op == "Conv") convolved_.insert(node.outputs[0]);
     for (size_t i = 0; i < node.outputs.size(); ++i) {
       if (!node.outputs[i].empty()) values_[node.outputs[i]] = (**outputs)[i];
     }
@@ -100,7 +103,8 @@ class NetCompiler {
     if (done_before_.count(&node) > 0) return NetOutputs(std::vector<NetValue>{ready.inputs[0]});
     if (const auto gate = gates_.find(&node); gate != gates_.end()) {
       const NetValue& x = values_.at(gate->second.input);
-      return NetOutputs(std::vector<NetValue>{gate->second.is_hard ? AddHardSwish(ready, x) : AddSilu(ready, x)});
+      return NetOutputs(std::vector<NetValue>{gate->second.is_hard ? AddHardSwish(ready, x, gate->second.is_in_place)
+                                                                   : AddSilu(ready, x, gate->second.is_in_place)});
     }
     if (ready.is_constant || node.outputs.size() != 1) return std::nullopt;
     const OnnxNode* next = OnlyReader(node.outputs[0]);
@@ -109,11 +113,14 @@ class NetCompiler {
     if (IsGate(node) && next->op == "Mul" && next->inputs.size() == 2) {
       const std::string& other = next->inputs[next->inputs[0] == node.outputs[0] ? 1 : 0];
       if (other != node.inputs[0] || other == node.outputs[0]) return std::nullopt;
-      gates_[next] = {other, node.op == "HardSigmoid"};
+      gates_[next] = {other, node.op == "HardSigmoid", IsOfConvolution(other) && readers_[other].size() == 2};
       return NetOutputs(std::vector<NetValue>{ready.inputs[0]});  // its reader takes the two in one
     }
     return std::nullopt;
   }
+
+  /// Whether a value lies in a place of its own, of which there are no views.
+  bool IsOfConvolution(const std::string& value) const { return convolved_.count(value) > 0; }
 
   static bool IsGate(const OnnxNode& node) {
     const bool is_sixth = std::abs(node.Number("alpha", 0.2f) - 1.f / 6) < 1e-5f && node.Number("beta", 0.5f) == 0.5f;
@@ -143,6 +150,7 @@ class NetCompiler {
   struct Gate {
     std::string input;
     bool is_hard = false;
+    bool is_in_place = false;
   };
 
   const OnnxModel& model_;
@@ -150,6 +158,7 @@ class NetCompiler {
   std::map<std::string, NetValue> values_;
   std::map<std::string, std::vector<size_t>> readers_;
   std::map<std::string, size_t> last_reader_;
+  std::set<std::string> convolved_;        // what convolutions gave
   std::set<const OnnxNode*> done_before_;  // limits that the convolution before them has taken over
   std::map<const OnnxNode*, Gate> gates_;  // products that are one step with the gate before them
 };
@@ -157,9 +166,14 @@ class NetCompiler {
 }  // namespace
 
 Result<CompiledNet> CompileNet(const OnnxModel& model, const EngineInput& input, pthreadpool* threads) {
+  if (!PrepareKernels()) return BadInput("instructions on this processor");
   CompiledNet net;
   net.program.SetThreads(threads);
-  if (Status status = NetCompiler(model, net).Compile(input); !status) return status.error();
+  try {
+    if (Status status = NetCompiler(model, net).Compile(input); !status) return status.error();
+  } catch (const std::bad_alloc&) {
+    return BadInput("shapes: they need more memory than there is");
+  }
   return net;
 }
 

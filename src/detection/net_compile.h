@@ -14,8 +14,9 @@ namespace yorb {
 /// A network ready to run at one size.
 struct CompiledNet {
   NetProgram program;
-  NetValue input;                 ///< channels last: filled before each run
-  std::vector<NetValue> outputs;  ///< read behind it
+  NetValue input;                            ///< channels last: filled before each run
+  std::vector<NetValue> outputs;             ///< read behind it
+  std::vector<std::vector<int64_t>> shapes;  ///< of each node's first output
 };
 
 /// Compiles a network. The error names the first operator that is not known, for instance "operator Gelu".

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Operators on pictures, channels next to each other: XNNPACK's where it has them.
+#include "detection/net_program.h"
+
+#if defined(YORB_HAS_XNNPACK)
 #include <xnnpack.h>
 
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
-#include "detection/net_program.h"
+#include "detection/winograd.h"
 
 namespace yorb {
 namespace {
@@ -89,6 +92,59 @@ std::vector<float> KernelOf(const NetValue& weights) {
   return to;
 }
 
+/// A product of a matrix of rows with weights, as XNNPACK makes it.
+struct RowProduct {
+  int64_t rows = 0, in = 0, out = 0;
+};
+std::shared_ptr<xnn_operator> ProductOf(const RowProduct& size, const float* weights, const float* from, float* to,
+                                        pthreadpool* threads) {
+  const auto in = static_cast<size_t>(size.in), out = static_cast<size_t>(size.out);
+  xnn_operator_t op = nullptr;
+  const xnn_status made =
+      xnn_create_fully_connected_nc_f32(in, out, in, out, weights, nullptr, -HUGE_VALF, HUGE_VALF, 0, &op);
+  if (made != xnn_status_success) return nullptr;
+  auto owned = Owned(op);
+  const xnn_status ready = xnn_setup_fully_connected_nc_f32(op, static_cast<size_t>(size.rows), from, to, threads);
+  return ready == xnn_status_success ? owned : nullptr;
+}
+
+/// Whether a convolution is one for Winograd's way, and large enough to pay for the way there and back.
+bool IsForWinograd(const NetNode& node, const NetValue& input, const Window& window) {
+  constexpr int64_t kLeastChannels = 32;
+  const bool is_plain = window.kernel_y == 3 && window.kernel_x == 3 && window.stride_y == 1 && window.stride_x == 1 &&
+                        window.dilation_y == 1 && window.dilation_x == 1 && window.top == 1 && window.left == 1 &&
+                        window.bottom == 1 && window.right == 1;
+  return is_plain && input.dims[0] == 1 && node.node.Integer("group", 1) == 1 && input.dims[1] >= kLeastChannels &&
+         node.inputs[1].dims[0] >= kLeastChannels;
+}
+
+NetOutputs WinogradConvolution(const NetNode& node, const NetValue& input) {
+  const NetValue& weights = node.inputs[1];
+  const WinogradSize size{input.dims[2], input.dims[3], input.dims[1], weights.dims[0],
+                          static_cast<int64_t>(PixelStep(input))};
+  const std::vector<float> turned = WinogradWeights(NumbersOf(weights), size.out_channels, size.in_channels);
+  const NetValue patches = node.New({kWinogradProducts, size.num_tiles(), size.in_channels});
+  const NetValue products = node.New({kWinogradProducts, size.num_tiles(), size.out_channels});
+  NetValue output = node.New({1, size.out_channels, size.height, size.width}, NetLayout::kChannelsLast);
+  const RowProduct product{size.num_tiles(), size.in_channels, size.out_channels};
+  std::vector<std::shared_ptr<xnn_operator>> operators;
+  for (int64_t k = 0; k < kWinogradProducts; ++k) {
+    operators.push_back(ProductOf(product, turned.data() + k * product.in * product.out,
+                                  patches.data.get() + k * product.rows * product.in,
+                                  products.data.get() + k * product.rows * product.out, node.program.threads()));
+    if (!operators.back()) return BadInput(": XNNPACK does not take its sizes");
+  }
+  const std::vector<float> bias =
+      node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>(static_cast<size_t>(size.out_channels), 0.f);
+  node.Add([=, least = node.least, most = node.most, threads = node.program.threads(), from = input.data.get(),
+            to = output.data.get(), in_patches = patches.data.get(), in_products = products.data.get()] {
+    WinogradInput(size, from, in_patches);
+    for (const auto& op : operators) xnn_run_operator(op.get(), threads);
+    WinogradOutput(size, in_products, {bias.data(), least, most}, to);
+  });
+  return One(std::move(output));
+}
+
 NetOutputs Convolution(const NetNode& node) {
   if (!node.Has(1) || !node.inputs[1].is_constant || node.inputs[1].rank() != 4)
     return BadInput(": its weights are not known beforehand");
@@ -104,6 +160,7 @@ NetOutputs Convolution(const NetNode& node) {
                            bias = node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>();
   if (!bias.empty() && static_cast<int64_t>(bias.size()) != num_out)
     return BadInput(": its bias does not fit its weights");
+  if (IsForWinograd(node, input, *window)) return WinogradConvolution(node, input);
   NetValue output = node.New({input.dims[0], num_out, window->Height(input.dims[2]), window->Width(input.dims[3])},
                              NetLayout::kChannelsLast);
   xnn_operator_t op = nullptr;
@@ -242,6 +299,8 @@ NetOutputs Enlargement(const NetNode& node) {
 
 }  // namespace
 
+bool PrepareKernels() { return xnn_initialize(nullptr) == xnn_status_success; }
+
 NetOutputs AddPictureOperator(const NetNode& node) {
   const std::string& op = node.node.op;
   if (!node.Has(0)) return NotMine();
@@ -253,3 +312,15 @@ NetOutputs AddPictureOperator(const NetNode& node) {
 }
 
 }  // namespace yorb
+
+#else
+
+namespace yorb {
+
+bool PrepareKernels() { return true; }
+
+NetOutputs AddPictureOperator(const NetNode&) { return NotMine(); }
+
+}  // namespace yorb
+
+#endif

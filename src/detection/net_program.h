@@ -69,12 +69,15 @@ NetOutputs AddShapeOperator(const NetNode& node);    ///< Reshape, Transpose, Sl
 NetOutputs AddArithmetic(const NetNode& node);       ///< Add, Mul, Exp, Softmax, MatMul ...
 NetOutputs AddPictureOperator(const NetNode& node);  ///< Conv, MaxPool, Resize ...: by XNNPACK where it has them
 
+/// Gets the kernels ready, as often as one likes; false on processors that they are not made for.
+bool PrepareKernels();
+
 /// The same numbers with others' layout: a copy, unless they lie so already.
 NetValue WithLayout(const NetNode& node, const NetValue& value, NetLayout layout);
 
-/// x * sigmoid(x), and x * clamp(x / 6 + 1/2, 0, 1).
-NetValue AddSilu(const NetNode& node, const NetValue& value);
-NetValue AddHardSwish(const NetNode& node, const NetValue& value);
+/// x * sigmoid(x), and x * clamp(x / 6 + 1/2, 0, 1); in the place of x where nobody else reads it.
+NetValue AddSilu(const NetNode& node, const NetValue& value, bool is_in_place);
+NetValue AddHardSwish(const NetNode& node, const NetValue& value, bool is_in_place);
 
 /// For operators that another family knows.
 inline Error NotMine() { return BadInput(""); }

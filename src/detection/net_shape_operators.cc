@@ -237,6 +237,7 @@ NetOutputs Expand(const NetNode& node) {
   while (value.rank() < dims.size())
     value.dims.insert(value.dims.begin(), 1), value.strides.insert(value.strides.begin(), 0);
   for (size_t i = 0; i < dims.size(); ++i) {
+    if (dims[i] < 0 || dims[i] > 1 << 20) return BadInput(": its shape makes no sense");
     if (value.dims[i] == 1 && dims[i] != 1) value.dims[i] = dims[i], value.strides[i] = 0;
   }
   return One(std::move(value));

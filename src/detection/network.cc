@@ -42,18 +42,21 @@ Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
   const int64_t channels = value.dims[1] < 0 ? 3 : value.dims[1];
   if (channels != 3 && channels != 1)
     return NoPictures(value, "(1, 3, height, width) is expected: red, green, blue before height and width");
+  // Another size than the file's is tried: networks of convolutions alone do not mind, others fail when they are set
+  // up.
   const cv::Size open = size.empty() ? SizeOfMetadata(model) : size;
+  const auto sized = [&](int64_t fixed, int wanted) {
+    return static_cast<int>(std::min<int64_t>(fixed < 0 || !size.empty() ? wanted : fixed, INT32_MAX));
+  };
   EngineInput input;
   input.batch = static_cast<int>(std::clamp<int64_t>(value.dims[0], 1, 64));
   input.channels = static_cast<int>(channels);
-  input.height = static_cast<int>(std::min<int64_t>(value.dims[2] < 0 ? open.height : value.dims[2], INT32_MAX));
-  input.width = static_cast<int>(std::min<int64_t>(value.dims[3] < 0 ? open.width : value.dims[3], INT32_MAX));
+  input.height = sized(value.dims[2], open.height);
+  input.width = sized(value.dims[3], open.width);
   const bool is_bearable = input.width <= kLargestSize && input.height <= kLargestSize;
   if (!is_bearable || input.width % kCellSize != 0 || input.height % kCellSize != 0 ||
       input.batch != std::max<int64_t>(value.dims[0], 1))
     return NoPictures(value, "sizes that are multiples of 32 up to 4096 are expected");
-  if (!size.empty() && (input.width != size.width || input.height != size.height))
-    return NoPictures(value, "its size is fixed; leave detection.width and detection.height at 0, or export it anew");
   return input;
 }
 

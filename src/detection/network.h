@@ -24,8 +24,9 @@ struct Network {
 /// Input sizes are whole multiples of it, since the coarsest maps have cells of this size.
 constexpr int kCellSize = 32;
 
-/// Reads a network's file. `size`, where it is not empty, is taken for the input; otherwise the file's own, that of its
-/// metadata (`imgsz`) where it is left open, or 640x640. Bad input for what is no network of pictures.
+/// Reads a network's file. `size`, where it is not empty, is taken for the input, whatever the file says; otherwise the
+/// file's own, that of its metadata (`imgsz`) where it is left open, or 640x640. Bad input for what is no network of
+/// pictures.
 Result<Network> OpenNetwork(const std::string& path, const cv::Size& size);
 
 /// Whether a Sigmoid is the last that happens to an output, but for changes of its shape.

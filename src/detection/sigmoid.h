@@ -6,7 +6,8 @@
 
 namespace yorb {
 
-/// 1 / (1 + exp(-x)) of every number, to a few units in the last place; with AVX2 where the processor has it.
+/// 1 / (1 + exp(-x)) of every number, to a few units in the last place; with AVX2 or AVX-512 where the processor has
+/// them. `from` and `to` may be the same.
 void Sigmoids(const float* from, float* to, size_t count);
 
 /// x * sigmoid(x), "SiLU" or "swish".

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "detection/engine.h"
+
+#if defined(YORB_HAS_XNNPACK)
 #include <pthreadpool.h>
-#include <xnnpack.h>
 
 #include <utility>
 
-#include "detection/engine.h"
 #include "detection/net_compile.h"
 
 namespace yorb {
@@ -47,7 +48,6 @@ class XnnpackEngine : public Engine {
 }  // namespace
 
 Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel& model, const EngineInput& input, int threads) {
-  if (xnn_initialize(nullptr) != xnn_status_success) return BadInput("this processor");
   Threads pool = MakeThreads(threads);
   auto net = CompileNet(model, input, pool.get());
   if (!net) return net.error();
@@ -55,3 +55,15 @@ Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel& model, const 
 }
 
 }  // namespace yorb
+
+#else
+
+namespace yorb {
+
+Result<std::unique_ptr<Engine>> MakeXnnpackEngine(const OnnxModel&, const EngineInput&, int) {
+  return BadInput("graph: this build is without XNNPACK");
+}
+
+}  // namespace yorb
+
+#endif

@@ -50,15 +50,13 @@ bool AreLogits(const Network& network, const HeadLayout& layout, const std::vect
   return false;
 }
 
-/// The picture in the colours that the network wants, RGB or grey.
-cv::Mat InColoursOf(const ImageSet& images, int channels) {
-  if (channels == 1) return images.grey;
+/// What the network sees: scaled and framed, RGB or grey.
+cv::Mat InputOf(const ImageSet& images, const Letterbox& fit, int channels) {
+  const bool has_colour = channels == 3 && !images.colour.empty();
+  const cv::Mat framed = Letterboxed(has_colour ? images.colour : images.grey, fit);
+  if (channels == 1) return framed;
   cv::Mat rgb;
-  if (images.colour.empty()) {
-    cv::cvtColor(images.grey, rgb, cv::COLOR_GRAY2RGB);
-  } else {
-    cv::cvtColor(images.colour, rgb, cv::COLOR_BGR2RGB);
-  }
+  cv::cvtColor(framed, rgb, has_colour ? cv::COLOR_BGR2RGB : cv::COLOR_GRAY2RGB);
   return rgb;
 }
 
@@ -84,6 +82,9 @@ Result<std::string> DefaultNetwork() {
 }
 
 Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions& options) {
+  if ((options.width > 0) != (options.height > 0))
+    return BadInput(
+        "detection.width and detection.height go together; 0 for both takes the size that the network's file says");
   const auto path = options.model.empty() ? DefaultNetwork() : Result<std::string>(options.model);
   if (!path) return path.error();
   auto network = OpenNetwork(*path, {options.width, options.height});
@@ -127,8 +128,7 @@ std::string YoloDetector::NameOf(int label) const {
 
 Result<Detections> YoloDetector::Detect(const ImageSet& images) {
   const Letterbox fit = FitLetterbox(images.grey.size(), input_size());
-  const cv::Mat picture = InColoursOf(images, input_.channels);
-  const auto outputs = engine_->Run(Letterboxed(picture, fit));
+  const auto outputs = engine_->Run(InputOf(images, fit, input_.channels));
   if (!outputs) return outputs.error();
   const double most_overlap = layout_.kind == LayoutKind::kCornerRows ? 1.0 : most_overlap_;
   Detections detections;

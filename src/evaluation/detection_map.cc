@@ -77,8 +77,9 @@ ClassScore ScoreOf(int label, ClassVerdicts& all, double confidence) {
   for (size_t k = 0; k < kNumOverlaps; ++k) {
     const double ap = AveragePrecision(HitsAt(all.verdicts, k), all.num_true);
     if (k == 0) score.ap50 = ap;
-    score.ap += ap / kNumOverlaps;
+    score.ap += ap;
   }
+  score.ap /= kNumOverlaps;
   double num_found = 0, num_hits = 0;
   for (const Verdict& verdict : all.verdicts) {
     if (verdict.confidence < confidence) break;

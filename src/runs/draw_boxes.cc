@@ -16,7 +16,8 @@ namespace {
 cv::Scalar ColourOf(const std::string& name) {
   uint32_t hash = 2166136261u;  // FNV-1a
   for (const char letter : FoldClassName(name)) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619u;
-  cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(hash % 180, 190, 255)), bgr;
+  const uint32_t hue = (hash ^ hash >> 15) * 2654435761u >> 16;  // its upper bits, since short names differ little
+  cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(hue * 180 >> 16, 190, 255)), bgr;
   cv::cvtColor(hsv, bgr, cv::COLOR_HSV2BGR);
   const auto pixel = bgr.at<cv::Vec3b>(0, 0);
   return {static_cast<double>(pixel[0]), static_cast<double>(pixel[1]), static_cast<double>(pixel[2])};

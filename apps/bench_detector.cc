@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/bench_detector.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/picture_size.h"
+#include "apps/signals.h"
+#include "core/files.h"
+#include "datasets/picture_folder.h"
+#include "detection/yolo_detector.h"
+#include "experiments/detector.h"
+
+namespace yorb {
+namespace {
+
+struct DetectorArguments {
+  std::vector<std::string> models, sequences;
+  std::optional<std::string> labelled, size, pictures, out;
+  std::string set;
+  size_t rounds = 30;
+  bool wants_json = false;
+};
+
+/// The networks in the order of the command line; ours first where none is named.
+Result<std::vector<std::string>> ModelsOf(const DetectorArguments& arguments) {
+  if (!arguments.models.empty()) return arguments.models;
+  const auto ours = DefaultNetwork();
+  if (!ours) return ours.error();
+  return std::vector<std::string>{*ours};
+}
+
+Result<std::vector<FileToWrite>> FiguresOf(const DetectorArguments& arguments, const DetectorBenchOptions& options) {
+  constexpr size_t kMostFigures = 12;
+  if (!arguments.pictures) return std::vector<FileToWrite>{};
+  std::vector<std::string> pictures = PicturesUnder(*arguments.pictures);
+  if (pictures.empty()) return BadInput("--pictures " + *arguments.pictures + " holds no pictures");
+  pictures.resize(std::min(pictures.size(), kMostFigures));
+  return DetectorFigures(pictures, options, *arguments.out);
+}
+
+Status Bench(const DetectorArguments& arguments) {
+  if (arguments.pictures && !arguments.out) return BadInput("--pictures needs --out, a folder for the figures");
+  DetectorBenchOptions options;
+  const auto models = ModelsOf(arguments);
+  if (!models) return models.error();
+  const auto size = ReadPictureSize(arguments.size);
+  if (!size) return size.error();
+  if (arguments.rounds < 1) return BadInput("--rounds must be 1 or more");
+  options.models = *models;
+  options.size = *size;
+  options.labelled = arguments.labelled;
+  options.set = arguments.set;
+  options.sequences = arguments.sequences;
+  options.rounds = arguments.rounds;
+  options.should_stop = IsStopAsked;
+  const auto report = MeasureDetectors(options);
+  if (!report) return report.error();
+  std::fputs((arguments.wants_json ? DetectorJson(*report) : DetectorText(*report)).c_str(), stdout);
+  if (!arguments.out) return Status::Ok();
+  auto files = FiguresOf(arguments, options);
+  if (!files) return files.error();
+  files->push_back({*arguments.out + "/detector.txt", DetectorText(*report)});
+  files->push_back({*arguments.out + "/detector.json", DetectorJson(*report)});
+  return WriteFilesTogether(*files);
+}
+
+}  // namespace
+
+void AddBenchDetector(CLI::App& bench, Action& action) {
+  CLI::App* command = bench.add_subcommand("detector", "The paper's tables 1, 2 and 7 and figure 9 for any networks");
+  const auto a = std::make_shared<DetectorArguments>();
+  command->add_option("MODELS", a->models, "ONNX files [models/yolo_mo.onnx]")->type_name("FILE");
+  command->add_option("--evaluate", a->labelled, "Labelled pictures in YOLO's layout: recall, precision, mAP")
+      ->type_name("DIR");
+  command->add_option("--set", a->set, "Only DIR/images/NAME")->type_name("NAME");
+  command
+      ->add_option("--sequence", a->sequences,
+                   "A sequence with a people.txt: how many of its people are found; may be given often")
+      ->allow_extra_args(false)
+      ->type_name("DIR");
+  command->add_option("--size", a->size, "Of all networks' inputs, multiples of 32 [as each file says]")
+      ->type_name("WxH");
+  command->add_option("--rounds", a->rounds, "Timed runs of each network [30]")->type_name("N");
+  command->add_option("--pictures", a->pictures, "Pictures that figure 9 shows as every network sees them")
+      ->type_name("DIR");
+  command->add_option("--out", a->out, "A folder for the tables, the JSON and the figures")->type_name("DIR");
+  command->add_flag("--json", a->wants_json, "JSON on standard output");
+  command->footer(
+      "Examples:\n"
+      "  yorb bench detector models/yolo_mo.onnx models/yolo_mo_n.onnx yolov5n.onnx --size 320x256\n"
+      "  yorb bench detector yolov5n.onnx models/yolo_mo.onnx --evaluate my_set --set val --pictures rooms --out "
+      "bench");
+  command->callback([a, &action] {
+    action = [a] {
+      CatchSignals();
+      const Status status = Bench(*a);
+      return status ? ExitCodeAfterSignal(kExitDone) : Complain(status.error());
+    };
+  });
+}
+
+}  // namespace yorb

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/labelled_set.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "datasets/test_folder.h"
+
+namespace yorb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using Names = std::vector<std::string>;
+
+Result<std::vector<LabelledBox>> Labels(const std::string& text) {
+  const TestFolder folder;
+  folder.Write("a.txt", text);
+  return ReadLabelFile(folder.Path("a.txt"), {"person", "", "cup"});
+}
+
+TEST(LabelFile, IsReadAsPeopleHaveIt) {
+  const auto boxes = Labels("\xef\xbb\xbf# note\r\n0 0.5 0.25 0.5 0.5 \r\n\r\n2\t0.5\t0.5\t1e-1\t.2");
+  ASSERT_TRUE(boxes) << boxes.error().message;
+  ASSERT_EQ(boxes->size(), 2u);
+  EXPECT_DOUBLE_EQ((*boxes)[0].left, .25);
+  EXPECT_DOUBLE_EQ((*boxes)[0].top, 0);
+  EXPECT_DOUBLE_EQ((*boxes)[0].right, .75);
+  EXPECT_DOUBLE_EQ((*boxes)[0].bottom, .5);
+  EXPECT_EQ((*boxes)[1].label, 2);
+  EXPECT_TRUE(Labels("")->empty());
+  EXPECT_TRUE(Labels("\n")->empty());
+}
+
+TEST(LabelFile, PolygonsCountAsTheirBoxAndRepeatedLinesOnce) {
+  const auto boxes = Labels("0 0.2 0.1 0.4 0.3 0.1 0.2\n0 0.2 0.1 0.4 0.3 0.1 0.2\n0 0.25 0.2 0.3 0.2\n");
+  ASSERT_TRUE(boxes) << boxes.error().message;
+  ASSERT_EQ(boxes->size(), 2u);
+  EXPECT_DOUBLE_EQ((*boxes)[0].left, .1);
+  EXPECT_DOUBLE_EQ((*boxes)[0].bottom, .3);
+}
+
+TEST(LabelFile, AnyOtherLineIsNamed) {
+  const std::string good = "0 0.5 0.5 0.1 0.1\n";
+  for (const char* bad :
+       {"7 0.5 0.5 0.1 0.1", "1 0.5 0.5 0.1 0.1", "-1 0.5 0.5 0.1 0.1", "0 28 20 8 8", "0.5 0.5 0.1 0.1",
+        "person 0.5 0.5 0.1 0.1", "0,0.5,0.5,0.1,0.1", "0 nan 0.5 0.1 0.1", "0 0.5 0.5 0 0.1", "0 0.5 0.5 0.1 0.1 0.9",
+        "0 0.1 0.2 0.3 0.4 0.5 0.6 0.7", "0 0.5 0.5 inf 0.1"}) {
+    const auto boxes = Labels(good + bad + "\n");
+    ASSERT_FALSE(boxes) << bad;
+    EXPECT_THAT(boxes.error().message, AllOf(HasSubstr("a.txt"), HasSubstr("line 2")));
+  }
+}
+
+TEST(ClassList, IsReadInItsFourForms) {
+  const auto read = [](const std::string& name, const std::string& text) {
+    const TestFolder folder;
+    folder.Write(name, text);
+    return ReadClassList(folder.Path());
+  };
+  const Names wanted{"person", "dining table"};
+  EXPECT_EQ(*read("classes.txt",
+                  "\xef\xbb\xbf"
+                  "0 person\r\n1 dining table\r\n"),
+            wanted);
+  EXPECT_EQ(*read("classes.txt", "person\ndining table\n"), wanted);
+  EXPECT_EQ(*read("classes.txt", "1 dining table\n0 person\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "train: a\nnc: 2\nnames:\n  0: person\n  1: dining table  # wood\nval: b\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "names:\n- person\n- 'dining table'\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "path: ../x  # root\nnames: ['person', \"dining table\"]\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "names: [person, dining table]  # two\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "names: {0: person, 1: dining table}\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "names: [person,\n  dining table]\n"), wanted);
+  EXPECT_EQ(read("unrelated.txt", "")->size(), 80u);
+  EXPECT_EQ(*read("classes.txt", "0 person\n2 cup\n"), (Names{"person", "", "cup"}));
+  EXPECT_THAT(read("classes.txt", "0 person\n0 cup\n").error().message, HasSubstr("line 2"));
+  EXPECT_THAT(read("data.yaml", "nc: 2\n").error().message, HasSubstr("names"));
+  EXPECT_THAT(read("classes.txt", "").error().message, HasSubstr("classes.txt"));
+}
+
+TEST(LabelledSet, FindsTheLabelsAtTheSamePlace) {
+  const TestFolder folder;
+  folder.WritePicture("images/val/a/1.png", TestColour(0));
+  folder.WritePicture("images/val/2.png", TestColour(0));
+  folder.WritePicture("images/train/3.png", TestColour(0));
+  folder.Write("labels/val/a/1.txt", "0 0.5 0.5 0.1 0.1\n");
+  folder.Write("labels/classes.txt", "person\n");
+  folder.Write("classes.txt", "person\n");
+  const auto all = ReadLabelledSet(folder.Path(), ""), val = ReadLabelledSet(folder.Path(), "val");
+  ASSERT_TRUE(all) << all.error().message;
+  EXPECT_EQ(all->pictures.size(), 3u);
+  ASSERT_EQ(val->pictures.size(), 2u);
+  EXPECT_TRUE(val->pictures[0].boxes.empty());
+  EXPECT_EQ(val->pictures[1].boxes.size(), 1u);
+  EXPECT_THAT(ReadLabelledSet(folder.Path(), "test").error().message, AllOf(HasSubstr("train"), HasSubstr("val")));
+  EXPECT_THAT(ReadLabelledSet(folder.Path(), "train").error().message, HasSubstr("no label file"));
+  EXPECT_THAT(ReadLabelledSet(folder.Path("images"), "").error().message, HasSubstr("no folder images"));
+  EXPECT_THAT(ReadLabelledSet(folder.Path("gone"), "").error().message, HasSubstr("does not exist"));
+}
+
+}  // namespace
+}  // namespace yorb

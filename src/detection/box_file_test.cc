@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/box_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "detection/file_detector.h"
+#include "detection/motion_category.h"
+#include "detection/test_network_folder.h"
+
+namespace yorb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+Result<BoxFile> Read(const std::string& text) {
+  const NetworkFolder folder;
+  return ReadBoxFile(folder.Write("boxes.txt", text));
+}
+
+Timestamp At(const char* text) { return *ParseTimestamp(text); }
+
+ImageSet FrameAt(Timestamp time) {
+  ImageSet images;
+  images.timestamp = time;
+  images.grey = cv::Mat(480, 640, CV_8UC1, cv::Scalar(0));
+  return images;
+}
+
+TEST(BoxFile, PeopleAreReadAsPeopleHaveThem) {
+  const auto file = Read(
+      "\xef\xbb\xbf# timestamp left top right bottom visible_px\r\n1.50\t10 20 30 40 100\r\n\r\n1.5 50 60 70 80 9 "
+      "\n2.0 1 2 3 4\n");
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_TRUE(file->names_all);
+  ASSERT_EQ(file->moments.size(), 2u);
+  ASSERT_EQ(file->moments[0].boxes.size(), 2u);
+  EXPECT_EQ(file->moments[0].boxes[0].name, "person");
+  EXPECT_EQ(file->moments[0].boxes[1].bottom, 80);
+  EXPECT_TRUE(Read("")->moments.empty());
+  EXPECT_TRUE(Read("# nobody\n")->names_all);
+}
+
+TEST(BoxFile, JsonLinesAreReadInTheirSpellings) {
+  const std::string wanted = R"("confidence": 0.9, "left": 10, "top": 20, "right": 90, "bottom": 200})";
+  for (const std::string& line :
+       {R"({"timestamp": 1.5, "boxes": [{"name": "person", )" + wanted + "]}",
+        R"({"timestamp": "1.5", "boxes": [{"name": 0, )" + wanted + "]}",
+        R"({"timestamp": 1.5, "boxes": [{"class": "0", )" + wanted + "]}",
+        R"({"timestamp": 1.5, "class": "person", "confidence": 0.9, "box": [10, 20, 90, 200]})" + std::string("\n"),
+        std::string(
+            R"({"timestamp": 1.5, "detections": [{"class": 0, "confidence": 0.9, "box": [10, 20, 90, 200]}]})")}) {
+    const auto file = Read(line);
+    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_EQ(file->moments.size(), 1u) << line;
+    EXPECT_EQ(file->moments[0].time, At("1.5"));
+    ASSERT_EQ(file->moments[0].boxes.size(), 1u);
+    const Box& box = file->moments[0].boxes[0];
+    EXPECT_EQ(box.name, "person");
+    EXPECT_EQ(box.confidence, 0.9);
+    EXPECT_EQ(box.bottom, 200);
+  }
+}
+
+TEST(BoxFile, WhatIsWrittenIsReadAgain) {
+  const std::string line =
+      ToJsonLine({At("1305031102.175304"), "a \"b\".png", 640, 480}, {{"driver's seat", 0.5, 1.25, 2, 3, 4}});
+  const auto file = Read(line + "\n" + ToJsonLine({At("1305031103"), {}, {}, {}}, {}) + "\n");
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_NEAR(file->moments[0].time.seconds(), 1305031102.175304, 1e-6);
+  EXPECT_EQ(file->moments[0].boxes[0].name, "driver's seat");
+  EXPECT_EQ(file->moments[0].boxes[0].left, 1.25);
+  ASSERT_EQ(file->moments.size(), 2u);
+  EXPECT_TRUE(file->moments[1].boxes.empty());
+  EXPECT_THAT(line, HasSubstr("1305031102.175304"));
+}
+
+TEST(BoxFile, BadLinesAreNamed) {
+  for (const char* text :
+       {"1.5 1 2 3 4 5\n1.6 a b c d\n", "1.5 1 2 3 4 5\n1.6 1 2 3\n",
+        "{\"timestamp\": 1, \"boxes\": []}\n{\"boxes\": []}\n", "{\"timestamp\": 1, \"boxes\": []}\nperson\n",
+        "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2}\n",
+        "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2, \"boxes\": [{\"name\": 90, \"left\": 1}]}\n",
+        "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2, \"boxes\": [{\"name\": \"person\", \"left\": 1}]}\n"}) {
+    const auto file = Read(text);
+    ASSERT_FALSE(file) << text;
+    EXPECT_THAT(file.error().message, AllOf(HasSubstr("boxes.txt"), HasSubstr("line 2")));
+  }
+  EXPECT_THAT(Read("1.5 0.1 0.2 0.3 0.4 1\n").error().message, HasSubstr("fractions"));
+  EXPECT_EQ(Read("1.5 30 20 10 40 1\n1.5 nan 2 3 4 1\n1.5 10 20 30 40 1\n")->num_dropped, 2u);
+}
+
+TEST(FileDetector, ABoxBelongsToTheNearestFrameWithin15Milliseconds) {
+  const auto file = Read("1.010 10 20 30 40 1\n1.020 50 60 700 80 1\n9 1 2 30 4 1\n");
+  const std::vector<Timestamp> frames{At("1.0"), At("1.033"), At("2")};
+  const auto detector = FileDetector::Make(*file, frames);
+  ASSERT_TRUE(detector) << detector.error().message;
+  EXPECT_EQ((*detector)->num_unmatched(), 1u);
+  EXPECT_EQ((*detector)->Detect(FrameAt(frames[0]))->boxes[0].left, 10);
+  const auto second = (*detector)->Detect(FrameAt(frames[1]));
+  ASSERT_EQ(second->boxes.size(), 1u);
+  EXPECT_EQ(second->boxes[0].right, 640) << "cut to the picture";
+  EXPECT_TRUE((*detector)->Detect(FrameAt(frames[2]))->has_looked) << "people.txt names all people";
+}
+
+TEST(FileDetector, AFrameWithoutALineWasNotLookedAt) {
+  const auto file = Read("{\"timestamp\": 1, \"boxes\": []}\n");
+  const auto detector = FileDetector::Make(*file, {At("1"), At("2")});
+  ASSERT_TRUE(detector);
+  EXPECT_TRUE((*detector)->Detect(FrameAt(At("1")))->has_looked);
+  EXPECT_FALSE((*detector)->Detect(FrameAt(At("2")))->has_looked);
+}
+
+TEST(FileDetector, AFileOfAnotherRecordingIsRefused) {
+  const auto detector = FileDetector::Make(*Read("100 10 20 30 40 1\n"), {At("1"), At("2")});
+  ASSERT_FALSE(detector);
+  EXPECT_THAT(detector.error().message, AllOf(HasSubstr("boxes.txt"), HasSubstr("100.000000"), HasSubstr("2.000000")));
+  EXPECT_TRUE(FileDetector::Make(*Read(""), {At("1")}));
+}
+
+TEST(MotionTable, GoesByNameHoweverItIsSpelt) {
+  const MotionTable table = MotionTable::Default();
+  EXPECT_EQ(table.Of("Person"), Motion::kHigh);
+  EXPECT_EQ(table.Of("DOG"), Motion::kHigh);
+  EXPECT_EQ(table.Of("cell_phone"), Motion::kLow);
+  EXPECT_EQ(table.Of("chair"), Motion::kLow);
+  EXPECT_EQ(table.Of("Dining Table"), Motion::kStatic);
+  EXPECT_TRUE(table.Knows("dining-table"));
+  EXPECT_EQ(table.Of("flying saucer"), Motion::kStatic);
+  EXPECT_FALSE(table.Knows("flying saucer"));
+}
+
+TEST(MotionTable, AFileIsLaidOverTheBuiltInOne) {
+  const NetworkFolder folder;
+  const auto table =
+      ReadMotionTable(folder.Write("classes.txt", "# motion\r\n0 person static\r\n1 robot arm high\nvase low\n"));
+  ASSERT_TRUE(table) << table.error().message;
+  EXPECT_EQ(table->Of("person"), Motion::kStatic);
+  EXPECT_EQ(table->Of("robot_arm"), Motion::kHigh);
+  EXPECT_EQ(table->Of("vase"), Motion::kLow);
+  EXPECT_EQ(table->Of("cat"), Motion::kHigh);
+  EXPECT_THAT(ReadMotionTable(folder.Write("bad.txt", "0 person high\n1 chair sometimes\n")).error().message,
+              HasSubstr("line 2"));
+}
+
+}  // namespace
+}  // namespace yorb

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/head_layout.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace yorb {
+namespace {
+
+using Shapes = std::vector<std::vector<int64_t>>;
+
+HeadFacts Facts(const Shapes& shapes, int num_names, int width = 64, int height = 64) {
+  return {shapes, width, height, num_names, 0};
+}
+
+void ExpectLayout(const HeadFacts& facts, LayoutKind kind, int num_classes) {
+  const auto layout = RecogniseLayout(facts);
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_EQ(layout->kind, kind) << LayoutText(*layout, facts);
+  EXPECT_EQ(layout->num_classes, num_classes);
+}
+
+TEST(HeadLayout, YoloFiveAndEightAreToldByTheNumberOfCells) {
+  ExpectLayout(Facts({{1, 252, 85}}, 80), LayoutKind::kAnchorRows, 80);
+  ExpectLayout(Facts({{1, 84, 84}}, 0), LayoutKind::kCentreColumns, 80);
+  ExpectLayout(Facts({{1, 25200, 85}}, 0, 640, 640), LayoutKind::kAnchorRows, 80);
+  ExpectLayout(Facts({{1, 84, 8400}}, 0, 640, 640), LayoutKind::kCentreColumns, 80);
+  ExpectLayout(Facts({{1, 35, 1680}}, 31, 320, 256), LayoutKind::kCentreColumns, 31);
+  ExpectLayout(Facts({{1, 25500, 85}}, 80, 640, 640), LayoutKind::kAnchorRows, 80);  // four strides, 8 to 64
+}
+
+TEST(HeadLayout, SixColumnsAreOneClassOrEndToEnd) {
+  ExpectLayout(Facts({{1, 252, 6}}, 1), LayoutKind::kAnchorRows, 1);
+  ExpectLayout(Facts({{1, 252, 6}}, 0), LayoutKind::kAnchorRows, 1);
+  ExpectLayout(Facts({{1, 252, 6}}, 10), LayoutKind::kCornerRows, 10);
+  ExpectLayout(Facts({{1, 300, 6}}, 10), LayoutKind::kCornerRows, 10);
+  ExpectLayout(Facts({{1, 300, 6}}, 0), LayoutKind::kCornerRows, 0);
+  ExpectLayout(Facts({{1, 5, 84}}, 1), LayoutKind::kCentreColumns, 1);
+  ExpectLayout(Facts({{1, 6, 84}}, 2), LayoutKind::kCentreColumns, 2);
+}
+
+TEST(HeadLayout, RawMapsMayStandInAnyOrderAndHaveAnAxisForTheAnchors) {
+  ExpectLayout(Facts({{1, 21, 2, 2}, {1, 21, 8, 8}, {1, 21, 4, 4}}, 2), LayoutKind::kRawMaps, 2);
+  ExpectLayout(Facts({{1, 3, 8, 8, 7}, {1, 3, 4, 4, 7}, {1, 3, 2, 2, 7}}, 2), LayoutKind::kRawMaps, 2);
+  ExpectLayout(Facts({{1, 3, 7, 8, 8}, {1, 3, 7, 4, 4}, {1, 3, 7, 2, 2}}, 2), LayoutKind::kRawMaps, 2);
+  ExpectLayout(Facts({{1, 3, 8, 8, 8}, {1, 3, 8, 4, 4}, {1, 3, 8, 2, 2}}, 3), LayoutKind::kRawMaps, 3);
+  const auto layout = RecogniseLayout(Facts({{1, 21, 1, 2}, {1, 21, 4, 8}, {1, 21, 2, 4}}, 0, 64, 32));
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_EQ(layout->maps[0].output, 1u);
+  EXPECT_EQ(layout->maps[0].stride, 8);
+  EXPECT_EQ(layout->maps[2].output, 0u);
+}
+
+TEST(HeadLayout, OutputsBesideTheBoxesAreLeftAlone) {
+  ExpectLayout(Facts({{1, 38, 84}, {1, 32, 16, 16}}, 2), LayoutKind::kCentreColumns, 2);  // segmentation
+  ExpectLayout(Facts({{1, 252, 39}, {1, 32, 16, 16}}, 0), LayoutKind::kAnchorRows, 2);
+  ExpectLayout(Facts({{1, 252, 7}, {1, 3, 8, 8, 7}, {1, 3, 4, 4, 7}, {1, 3, 2, 2, 7}}, 2), LayoutKind::kAnchorRows, 2);
+  HeadFacts pose = Facts({{1, 56, 84}}, 1);
+  pose.num_keypoint_values = 51;
+  ExpectLayout(pose, LayoutKind::kCentreColumns, 1);
+}
+
+TEST(HeadLayout, AllElseIsRefusedWithItsShapes) {
+  const std::vector<std::pair<Shapes, int>> others{
+      {{{1, 1, 3}}, 3},                                       // a classifier
+      {{{1, 1, 64, 64}}, 0},                                  // a depth map
+      {{{5, 3}}, 2},                                          // what NonMaxSuppression gives
+      {{{1, 7, 84}}, 2},                                      // rotated boxes
+      {{{1, 84, 84}}, 3},                                     // 80 classes, 3 names
+      {{{1, 84, 8}}, 3},                                      // one row a cell, as YOLOX writes them
+      {{{1, 21, 8, 8}, {1, 21, 4, 4}}, 2},                    // two maps
+      {{{1, 21, 8, 8}, {1, 21, 4, 4}, {1, 24, 2, 2}}, 0},     // maps that disagree
+      {{{1, 144, 8, 8}, {1, 144, 4, 4}, {1, 144, 2, 2}}, 0},  // YOLOv8's own raw maps
+      {{}, 0},
+  };
+  for (const auto& [shapes, num_names] : others) {
+    const auto layout = RecogniseLayout(Facts(shapes, num_names));
+    EXPECT_FALSE(layout) << (shapes.empty() ? "" : ShapeText(shapes[0]));
+    if (layout || shapes.empty()) continue;
+    EXPECT_THAT(layout.error().message, testing::HasSubstr(ShapeText(shapes[0])));
+  }
+}
+
+}  // namespace
+}  // namespace yorb

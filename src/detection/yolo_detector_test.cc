@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "detection/yolo_detector.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "detection/class_names.h"
+#include "detection/test_network.h"
+#include "detection/test_network_folder.h"
+
+namespace yorb {
+namespace {
+
+using testing::HasSubstr;
+
+/// Dark, with squares of 8x8 in pure colours: red at column 1, row 2, green at column 5, row 6 (of cells).
+cv::Mat RedAndGreen() {
+  cv::Mat bgr(64, 64, CV_8UC3, cv::Scalar::all(20));
+  bgr(cv::Rect(8, 16, 8, 8)).setTo(cv::Scalar(0, 0, 255));
+  bgr(cv::Rect(40, 48, 8, 8)).setTo(cv::Scalar(0, 255, 0));
+  return bgr;
+}
+
+Result<std::vector<Box>> BoxesOf(const TestNetwork& net, const std::string& engine, const cv::Mat& picture) {
+  const NetworkFolder folder;
+  DetectionOptions options;
+  options.model = folder.Write("net.onnx", net.Bytes());
+  options.engine = engine;
+  auto detector = YoloDetector::Open(options);
+  if (!detector) return detector.error();
+  auto detections = (*detector)->Detect(ImageSetOf(picture));
+  if (!detections) return detections.error();
+  return detections->boxes;
+}
+
+void ExpectRedAndGreen(const std::vector<Box>& boxes, double scale) {
+  ASSERT_EQ(boxes.size(), 2u);
+  for (const Box& box : boxes) {
+    const bool is_person = box.name == "person";
+    EXPECT_NEAR(box.left, (is_person ? 8 : 40) * scale, 0.01 * scale);
+    EXPECT_NEAR(box.top, (is_person ? 16 : 48) * scale, 0.01 * scale);
+    EXPECT_NEAR(box.right, (is_person ? 16 : 48) * scale, 0.01 * scale);
+    EXPECT_NEAR(box.bottom, (is_person ? 24 : 56) * scale, 0.01 * scale);
+    EXPECT_GT(box.confidence, 0.9);
+  }
+  EXPECT_NE(boxes[0].name, boxes[1].name);
+}
+
+TEST(YoloDetector, FindsWhatIsThereInPixelsOfThePictureWithEitherEngine) {
+  for (const char* engine : {"auto", "opencv", "xnnpack"}) {
+    const auto boxes = BoxesOf(TwoColourNetwork(), engine, RedAndGreen());
+    ASSERT_TRUE(boxes) << boxes.error().message;
+    ExpectRedAndGreen(*boxes, 1);
+    cv::Mat large;
+    cv::resize(RedAndGreen(), large, {256, 256}, 0, 0, cv::INTER_NEAREST);
+    ExpectRedAndGreen(*BoxesOf(TwoColourNetwork(), engine, large), 4);
+  }
+}
+
+TEST(YoloDetector, ColourOrderAndSizeOfBarsAreTheNetworks) {
+  cv::Mat wide(64, 128, CV_8UC3, cv::Scalar::all(20));  // halved, with bars above and below
+  wide(cv::Rect(16, 16, 16, 16)).setTo(cv::Scalar(0, 0, 255));
+  const auto boxes = BoxesOf(TwoColourNetwork(), "auto", wide);
+  ASSERT_TRUE(boxes) << boxes.error().message;
+  ASSERT_EQ(boxes->size(), 1u);
+  EXPECT_EQ(boxes->front().name, "person");
+  EXPECT_NEAR(boxes->front().left, 16, 0.1);
+  EXPECT_NEAR(boxes->front().top, 16, 0.1);
+  EXPECT_NEAR(boxes->front().bottom, 32, 0.1);
+}
+
+TEST(YoloDetector, GreyPicturesAndNothingInThemAreFine) {
+  const auto boxes = BoxesOf(TwoColourNetwork(), "auto", cv::Mat(48, 64, CV_8UC1, cv::Scalar(200)));
+  ASSERT_TRUE(boxes) << boxes.error().message;
+  EXPECT_TRUE(boxes->empty());
+}
+
+TEST(YoloDetector, RawMapsFindTheirAnchorsAndLogits) {
+  TestNetwork net(64, 64);
+  // Objectness and class from how red a cell is; the box is the anchor, which the metadata make 8 px wide and high.
+  std::vector<float> weights(21 * 2, 0), bias(21, -9);
+  for (size_t k = 0; k < 4; ++k) bias[k] = 0;
+  weights[4 * 2] = 19, weights[5 * 2] = 19;
+  const std::string none = net.Constant({21, 2, 1, 1}, std::vector<float>(42, 0)),
+                    all = net.Constant({21, 2, 1, 1}, weights);
+  for (const int64_t pool : {4, 1, 2}) {  // in an order of its own
+    std::string cells = net.Cells();
+    if (pool > 1)
+      cells = net.Op("AveragePool", {cells},
+                     {IntsAttribute("kernel_shape", {pool, pool}), IntsAttribute("strides", {pool, pool})});
+    net.Output(net.Op("Conv", {cells, pool == 1 ? all : none, net.Constant({21}, bias)},
+                      {IntsAttribute("kernel_shape", {1, 1})}),
+               {1, 21, 8 / pool, 8 / pool});
+  }
+  net.model.metadata = {{"names", "['person', 'cup']"}, {"anchors", "8,8, 9,9, 9,9, 16,16, 9,9, 9,9, 32,32, 9,9, 9,9"}};
+  const auto boxes = BoxesOf(net, "auto", RedAndGreen());
+  ASSERT_TRUE(boxes) << boxes.error().message;
+  ASSERT_EQ(boxes->size(), 1u);
+  EXPECT_EQ(boxes->front().name, "person");
+  EXPECT_NEAR(boxes->front().left, 8, 0.01);
+  EXPECT_NEAR(boxes->front().bottom, 24, 0.01);
+}
+
+TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {
+  const NetworkFolder folder;
+  DetectionOptions options;
+  options.model = folder.Write("net.onnx", TwoColourNetwork(false).Bytes());
+  EXPECT_EQ((*YoloDetector::Open(options))->names(), (std::vector<std::string>{"class0", "class1"}));
+  folder.Write("net.names", "person\r\ncup\r\n");
+  EXPECT_EQ((*YoloDetector::Open(options))->names(), (std::vector<std::string>{"person", "cup"}));
+  folder.Write("net.names", "person\n");
+  EXPECT_THAT(YoloDetector::Open(options).error().message, HasSubstr("1 class names"));
+}
+
+TEST(YoloDetector, TheSizeIsTheFilesOrItsMetadatasOrTheUsers) {
+  const NetworkFolder folder;
+  DetectionOptions options;
+  const auto size_of = [&](const TestNetwork& net) {
+    options.model = folder.Write("net.onnx", net.Bytes());
+    const auto detector = YoloDetector::Open(options);
+    EXPECT_TRUE(detector) << detector.error().message;
+    return detector ? (*detector)->input_size() : cv::Size();
+  };
+  TestNetwork net(96, 64);
+  for (const int stride : {8, 16, 32})
+    net.Output(net.Op("Sigmoid", {net.Conv("images", 3, 21, stride, stride)}), {1, 21, 64 / stride, 96 / stride});
+  for (OnnxNode& node : net.model.nodes) {
+    if (node.op == "Conv") node.attributes[2].ints = {0, 0, 0, 0};  // no padding: cells side by side
+  }
+  EXPECT_EQ(size_of(net), cv::Size(96, 64));
+  net.model.inputs[0].dims = {-1, 3, -1, -1};
+  net.model.metadata["imgsz"] = "[64, 128]";
+  EXPECT_EQ(size_of(net), cv::Size(128, 64)) << "height comes first";
+  net.model.metadata["imgsz"] = "160";
+  EXPECT_EQ(size_of(net), cv::Size(160, 160));
+  net.model.metadata.clear();
+  EXPECT_EQ(size_of(net), cv::Size(640, 640));
+  options.width = 320, options.height = 256;
+  EXPECT_EQ(size_of(net), cv::Size(320, 256));
+  net.model.inputs[0].dims = {1, 3, 64, 96};
+  EXPECT_EQ(size_of(net), cv::Size(320, 256));
+  options.model = folder.Write("decoded.onnx", TwoColourNetwork().Bytes());
+  const auto fixed = YoloDetector::Open(options);
+  ASSERT_FALSE(fixed) << "its boxes are decoded for one size within the graph";
+  EXPECT_THAT(fixed.error().message, HasSubstr("decoded.onnx"));
+}
+
+TEST(YoloDetector, EightyClassesWithoutNamesAreCocos) {
+  TestNetwork net(64, 64);
+  net.Output(net.Op("Mul", {net.Constant({1, 84, 84}, std::vector<float>(84 * 84, 0)),
+                            net.Reshaped(net.Op("GlobalAveragePool", {net.Conv("images", 3, 1, 1, 1)}), {1, 1, 1})}),
+             {1, 84, 84});
+  const NetworkFolder folder;
+  DetectionOptions options;
+  options.model = folder.Write("net.onnx", net.Bytes());
+  const auto detector = YoloDetector::Open(options);
+  ASSERT_TRUE(detector) << detector.error().message;
+  EXPECT_EQ((*detector)->names(), CocoNames());
+}
+
+TEST(YoloDetector, WhatIsNoDetectorIsRefusedByNameBeforeItRuns) {
+  const NetworkFolder folder;
+  const auto complaint = [&](const std::string& bytes) {
+    DetectionOptions options;
+    options.model = folder.Write("bad.onnx", bytes);
+    const auto detector = YoloDetector::Open(options);
+    EXPECT_FALSE(detector);
+    return detector ? std::string() : detector.error().message;
+  };
+  EXPECT_THAT(complaint("no network"), HasSubstr("bad.onnx is no ONNX file"));
+  TestNetwork classifier(64, 64);
+  classifier.Output(classifier.Reshaped(classifier.Op("GlobalAveragePool", {"images"}), {1, 3}), {1, 3});
+  EXPECT_THAT(complaint(classifier.Bytes()), testing::AllOf(HasSubstr("bad.onnx"), HasSubstr("(1, 3)")));
+  TestNetwork odd = TwoColourNetwork();
+  odd.model.inputs[0].dims = {1, 64, 64, 3};
+  EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("bad.onnx"), HasSubstr("(1, 64, 64, 3)")));
+  odd.model.inputs[0].dims = {1, 3, 64, 50};
+  EXPECT_THAT(complaint(odd.Bytes()), HasSubstr("multiples of 32"));
+  TestNetwork named = TwoColourNetwork();
+  named.model.metadata["names"] = "person and cup";
+  EXPECT_THAT(complaint(named.Bytes()), HasSubstr("person and cup"));
+  DetectionOptions options;
+  options.model = "no_such.onnx";
+  EXPECT_THAT(YoloDetector::Open(options).error().message, HasSubstr("no_such.onnx does not exist"));
+}
+
+}  // namespace
+}  // namespace yorb

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+// `yorb detect` from outside: boxes, JSON, exit codes, complaints, evaluation.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "core/text.h"
+#include "datasets/test_folder.h"
+#include "detection/box_file.h"
+#include "detection/test_network.h"
+
+namespace yorb {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+class Detect : public testing::Test {
+ protected:
+  Detect() {
+    folder_.Write("net.onnx", TwoColourNetwork().Bytes());
+    for (int i = 0; i < 2; ++i) {
+      cv::Mat picture(64, 64, CV_8UC3, cv::Scalar::all(20));
+      picture(cv::Rect(8, 16, 8, 8)).setTo(cv::Scalar(0, 0, 255));
+      if (i == 1) picture(cv::Rect(40, 48, 8, 8)).setTo(cv::Scalar(0, 255, 0));
+      folder_.WritePicture("set/images/" + std::to_string(i) + ".png", picture);
+      folder_.Write("set/labels/" + std::to_string(i) + ".txt", "0 0.1875 0.3125 0.125 0.125\n");
+    }
+    folder_.Write("set/classes.txt", "Person\n");
+  }
+
+  /// `arguments` as a shell has them, within the scratch folder.
+  Outcome Call(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + folder_.Path() + "' && '" YORB_PROGRAM "' detect " + arguments + " >out 2>err </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder_.Read("out"), folder_.Read("err")};
+  }
+
+  void ExpectRefused(const std::string& word, const std::string& arguments) const {
+    const Outcome outcome = Call(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(word));
+  }
+
+  TestFolder folder_;
+};
+
+TEST_F(Detect, JsonIsALineAPicture) {
+  const Outcome outcome = Call("set/images --model net.onnx --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const size_t end = outcome.out.find('\n');
+  const auto first = nlohmann::json::parse(outcome.out.substr(0, end)),
+             second = nlohmann::json::parse(outcome.out.substr(end + 1));
+  EXPECT_EQ(first["image"], "set/images/0.png");
+  EXPECT_EQ(first["width"], 64);
+  ASSERT_EQ(first["boxes"].size(), 1u);
+  EXPECT_EQ(first["boxes"][0]["name"], "person");
+  EXPECT_NEAR(first["boxes"][0]["left"], 8, 0.01);
+  EXPECT_NEAR(first["boxes"][0]["bottom"], 24, 0.01);
+  EXPECT_EQ(second["boxes"].size(), 2u);
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Detect, OfASequenceItWritesWhatABoxFileIs) {
+  WriteRecording(folder_, "sequence", 3);
+  const Outcome outcome = Call("sequence --model net.onnx --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto file = ReadBoxFile(folder_.Path("out"));
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file->moments.size(), 3u);
+  EXPECT_EQ(ToString(file->moments[1].time), Stamp(1));
+}
+
+TEST_F(Detect, TextNamesWhatIsThereAndOnlyWhatWasAskedFor) {
+  EXPECT_THAT(Call("set/images/1.png --model net.onnx").out, AllOf(HasSubstr("person"), HasSubstr("cup")));
+  const Outcome outcome = Call("set/images/1.png --model net.onnx --classes Cup --save drawn");
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("cup"), testing::Not(HasSubstr("person "))));
+  EXPECT_EQ(cv::imread(folder_.Path("drawn/1.png")).size(), cv::Size(64, 64));
+  ExpectRefused("cup", "set/images/1.png --model net.onnx --classes cap --json");
+}
+
+TEST_F(Detect, UnreadablePicturesAreNamedAfterTheOthers) {
+  folder_.Write("broken.png", "no picture");
+  const Outcome outcome = Call("gone.png broken.png set/images/0.png --model net.onnx --json");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.out, HasSubstr("set/images/0.png"));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("gone.png"), HasSubstr("broken.png")));
+}
+
+TEST_F(Detect, BadInputIsRefusedInOneLine) {
+  folder_.Write("bad.onnx", "no network");
+  ExpectRefused("bad.onnx", "set/images --model bad.onnx --json");
+  ExpectRefused("gone.onnx", "set/images --model gone.onnx --json");
+  ExpectRefused("picture", "--model net.onnx --json");
+  ExpectRefused("--conf", "set/images --model net.onnx --conf 2 --json");
+  ExpectRefused("--iou", "set/images --model net.onnx --iou x --json");
+  ExpectRefused("--save", "set/images --model net.onnx --save /proc/nowhere --json");
+  ExpectRefused("--evaluate", "set/images --model net.onnx --evaluate set --json");
+  ExpectRefused("no folder", "--model net.onnx --evaluate set --set val --json");
+}
+
+TEST_F(Detect, EvaluationGivesOneDocument) {
+  const Outcome outcome = Call("--evaluate set --model net.onnx --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(json["classes"].size(), 1u);
+  EXPECT_EQ(json["classes"][0]["name"], "Person");
+  EXPECT_NEAR(json["classes"][0]["ap50"], 1, 1e-9);
+  EXPECT_NEAR(json["classes"][0]["recall"], 1, 1e-9);
+  EXPECT_EQ(json["classes"][0]["truth"], 2);
+  EXPECT_GT(json["latency_ms"], 0);
+  EXPECT_NEAR(json["map50_95"], 1, 1e-9);
+  folder_.Write("set/labels/1.txt", "0 10 10 20 20\n");
+  ExpectRefused("1.txt, line 1", "--evaluate set --model net.onnx --json");
+}
+
+}  // namespace
+}  // namespace yorb
