@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <utility>
 
 namespace yorb {
 
@@ -30,7 +29,7 @@ Result<Video> Video::Open(const std::string& path) {
   } catch (const cv::Exception&) {
   }
   if (!is_open) return BadInput(path + " is no video that can be decoded here; is it whole, and its codec installed?");
-  return Video(std::move(capture));
+  return Video(capture);
 }
 
 std::optional<VideoFrame> Video::Next() {

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/result.h"
 #include "core/time.h"
@@ -33,7 +32,7 @@ class Video {
   std::optional<VideoFrame> Next();
 
  private:
-  explicit Video(cv::VideoCapture capture) : capture_(std::move(capture)) {}
+  explicit Video(const cv::VideoCapture& capture) : capture_(capture) {}
 
   cv::VideoCapture capture_;
   size_t num_read_ = 0;

@@ -3,7 +3,6 @@
 #include "detection/onnx_model.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace yorb {
 
@@ -28,9 +27,9 @@ std::string OnnxNode::Text(const std::string& attribute, const std::string& othe
   return found == nullptr ? otherwise : found->text;
 }
 
-std::vector<int64_t> OnnxNode::Integers(const std::string& attribute, std::vector<int64_t> otherwise) const {
+std::vector<int64_t> OnnxNode::Integers(const std::string& attribute, const std::vector<int64_t>& otherwise) const {
   const OnnxAttribute* found = Find(attribute);
-  return found == nullptr ? std::move(otherwise) : found->ints;
+  return found == nullptr ? otherwise : found->ints;
 }
 
 }  // namespace yorb

@@ -48,7 +48,7 @@ struct OnnxNode {
   int64_t Integer(const std::string& attribute, int64_t otherwise) const;
   float Number(const std::string& attribute, float otherwise) const;
   std::string Text(const std::string& attribute, const std::string& otherwise) const;
-  std::vector<int64_t> Integers(const std::string& attribute, std::vector<int64_t> otherwise) const;
+  std::vector<int64_t> Integers(const std::string& attribute, const std::vector<int64_t>& otherwise) const;
 };
 
 /// An input or output of the graph.

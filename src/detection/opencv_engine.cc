@@ -25,8 +25,8 @@ Error Unreadable(const std::string& path, const std::string& complaint) {
 
 class OpenCvEngine : public Engine {
  public:
-  OpenCvEngine(cv::dnn::Net net, std::vector<std::string> outputs, EngineInput input)
-      : net_(std::move(net)), outputs_(std::move(outputs)), input_(std::move(input)) {}
+  OpenCvEngine(const cv::dnn::Net& net, std::vector<std::string> outputs, EngineInput input)
+      : net_(net), outputs_(std::move(outputs)), input_(std::move(input)) {}
 
   std::string name() const override { return "OpenCV DNN"; }
 
@@ -81,7 +81,7 @@ Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const E
     net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
     std::vector<std::string> outputs;
     for (const OnnxValue& output : model.outputs) outputs.push_back(output.name);
-    return std::unique_ptr<Engine>(std::make_unique<OpenCvEngine>(std::move(net), std::move(outputs), input));
+    return std::unique_ptr<Engine>(std::make_unique<OpenCvEngine>(net, std::move(outputs), input));
   } catch (const cv::Exception& error) {
     return Unreadable(input.path, error.err);
   }

@@ -7,7 +7,9 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
+#if !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // a false alarm of gcc 12 within its own AVX-512 header
+#endif
 #define YORB_ACTIVATION_AVX2 __attribute__((target("avx2,fma")))
 #define YORB_ACTIVATION_AVX512 __attribute__((target("avx512f")))
 #endif

@@ -12,6 +12,15 @@
 #define YORB_WINOGRAD_INLINE inline
 #endif
 
+// What is read and what is written in a loop never meets: too much for a compiler to see, or to test.
+#if defined(__clang__)
+#define YORB_NEVER_MEET _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define YORB_NEVER_MEET _Pragma("GCC ivdep")
+#else
+#define YORB_NEVER_MEET
+#endif
+
 namespace yorb {
 namespace {
 
@@ -38,7 +47,7 @@ Patch PatchAt(const WinogradSize& size, const float* picture, const float* blank
 }
 
 YORB_WINOGRAD_INLINE void InputTile(const Patch& patch, int64_t channels, float* to, int64_t step) {
-#pragma GCC ivdep  // what is read and what is written never meet
+  YORB_NEVER_MEET
   for (int64_t c = 0; c < channels; ++c) {
     Four rows[4];
     for (int i = 0; i < 4; ++i) {
@@ -72,7 +81,7 @@ YORB_WINOGRAD_INLINE Two FromDomain(float a, float b, float c, float d) { return
 
 YORB_WINOGRAD_INLINE void OutputTile(const float* from, int64_t step, const WinogradEnd& end, int64_t channels,
                                      float* const (&to)[4]) {
-#pragma GCC ivdep
+  YORB_NEVER_MEET
   for (int64_t c = 0; c < channels; ++c) {
     Two columns[4];
     for (int i = 0; i < 4; ++i) {
