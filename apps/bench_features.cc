@@ -39,7 +39,9 @@ Result<FeatureOptions> FeatureOptionsOf(const FeaturesArguments& arguments) {
     if (!setting) return setting.error();
     settings.push_back(*std::move(setting));
   }
-  const auto config = WithSettings(Config(), settings);
+  Config usual;
+  usual.features.over_extraction = 1;  // nothing is removed here
+  const auto config = WithSettings(usual, settings);
   if (!config) return config.error();
   if (const Status valid = ValidateConfig(*config); !valid) return valid.error();
   return config->features;

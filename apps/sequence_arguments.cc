@@ -80,15 +80,18 @@ void SequenceArguments::AddTo(CLI::App& command) {
   command.add_option("--mode", mode,
                      "inline: one thread, same seed, same bits; offline (the default): threads, no frame left out; "
                      "live: at the pace of the time stamps");
-  command.add_option("--dynamics", dynamics, 
-                     "What is done about moving things: off; paper: points in their boxes are removed; exact: the same "
-                     "with boxes that are given; full: boxes are followed, and depth tells the body from the background");
+  command.add_option(
+      "--dynamics", dynamics,
+      "What is done about moving things: off; paper: points in their boxes are removed; exact: the same "
+      "with boxes that are given; full: boxes are followed, and depth tells the body from the background");
   command.add_option("--detections", detections,
                      "A file with boxes in the detector's place: people.txt, or JSON lines of `yorb detect --json`");
-  command.add_option("--masks", masks,
-                     "A folder of PNGs named as the pictures or by their time stamps, or one PNG for all: what is not 0 "
-                     "is not used");
-  command.add_option("--model", model, "The detector's network, any YOLO export in ONNX; left out: models/yolo_mo.onnx");
+  command.add_option(
+      "--masks", masks,
+      "A folder of PNGs named as the pictures or by their time stamps, or one PNG for all: what is not 0 "
+      "is not used");
+  command.add_option("--model", model,
+                     "The detector's network, any YOLO export in ONNX; left out: models/yolo_mo.onnx");
   command.add_option("--seed", seed, "Of everything that is drawn by chance");
   command.add_option("--max-frames", max_frames, "Only the first so many colour pictures");
 }

@@ -80,9 +80,11 @@ size_t CvFastCorners(const GreyView& level) {
 FeatureOptions OriginalOptions(const FeatureOptions& ours, int threshold, int threshold_low) {
   FeatureOptions original;
   original.wanted = ours.wanted;
+  original.over_extraction = ours.over_extraction;
   original.levels = ours.levels;
   original.scale_factor = ours.scale_factor;
   original.detector = "fixed";
+  original.subpixel = false;
   original.distribution = "quadtree";
   original.fixed_threshold = threshold;
   original.fixed_threshold_low = threshold_low;

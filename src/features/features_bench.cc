@@ -155,6 +155,7 @@ BENCHMARK(BM_Hamming)->ArgName("popcnt_avx2_avx512")->DenseRange(0, 2);
 
 void BM_Extract(benchmark::State& state) {
   FeatureOptions options;
+  options.over_extraction = 1;
   options.detector = state.range(0) == 1 ? "adaptive" : "fixed";
   options.distribution = state.range(1) == 1 ? "improved" : "quadtree";
   OrbExtractor extractor(options);

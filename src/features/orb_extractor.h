@@ -33,7 +33,7 @@ struct FeatureOptions {
   double alpha = 0.7;                     ///< of equation (3); detector adaptive
   double alpha_low = 0.07;                ///< of the second threshold, where a cell finds nothing; detector adaptive
   int noise_threshold = 4;                ///< grey levels every corner must exceed; detector adaptive
-  double choice = 1.2;                    ///< candidates for each wanted point; 0: cell by cell; detector adaptive
+  double choice = 2;                      ///< candidates for each wanted point; 0: cell by cell; detector adaptive
   bool subpixel = true;                   ///< refines the place of a corner by a parabola through the scores around it
 
   template <typename Self, typename Visitor>
