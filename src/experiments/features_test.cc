@@ -129,6 +129,7 @@ TEST(FeaturesFrontEnds, OriginalPathFindsAsManyPointsAsItsFastTwin) {
   const cv::Mat picture = RectanglesPicture(640, 480, 5);
   FeatureOptions fixed;
   fixed.detector = "fixed", fixed.distribution = "quadtree";
+  fixed.over_extraction = 1;
   const size_t fast = OrbExtractor(fixed).Extract(picture).keypoints.size();
   const Features path = OriginalExtractor({}).Extract(picture);
   EXPECT_EQ(path.keypoints.size(), path.descriptors.size());
