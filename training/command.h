@@ -14,5 +14,6 @@ using Action = std::function<Status()>;
 void AddPackCommand(CLI::App& program, Action& action);
 void AddTrainCommand(CLI::App& program, Action& action);
 void AddEvaluateCommand(CLI::App& program, Action& action);
+void AddExportCommand(CLI::App& program, Action& action);
 
 }  // namespace yorb

@@ -27,6 +27,7 @@ int ReadAndAct(int argc, char** argv) {
   AddPackCommand(program, action);
   AddTrainCommand(program, action);
   AddEvaluateCommand(program, action);
+  AddExportCommand(program, action);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -44,7 +44,9 @@ NetworkImpl::NetworkImpl(const Layout& network_layout) : layout(network_layout) 
   for (size_t i = 0; i < layout.rows.size(); ++i) {
     const int from = layout.rows[i].from.front();
     const int in = i == 0 ? 3 : channels[from < 0 ? i - 1 : static_cast<size_t>(from)];
-    rows.push_back(MakeRow(layout.rows[i], in));
+    LayerSpec spec = layout.rows[i];
+    if (i == 0) spec.padding = 0;  // the picture is padded before it is normalised, see forward
+    rows.push_back(MakeRow(spec, in));
     register_module(std::to_string(i), std::static_pointer_cast<torch::nn::Module>(rows.back()));
   }
   for (size_t level = 0; level < 3; ++level) {
@@ -56,11 +58,13 @@ NetworkImpl::NetworkImpl(const Layout& network_layout) : layout(network_layout) 
 }
 
 std::array<torch::Tensor, 3> NetworkImpl::forward(const torch::Tensor& pictures) {
-  std::vector<torch::Tensor> outputs;
-  for (size_t i = 0; i < rows.size(); ++i) {
+  // Padded with black, not with the mean, so that the normalisation can be folded into the first convolution exactly.
+  const int64_t padding = layout.rows.front().padding;
+  const torch::Tensor padded = torch::constant_pad_nd(pictures, {padding, padding, padding, padding});
+  std::vector<torch::Tensor> outputs{rows.front()->Run({NormalizePictures(padded)})};
+  for (size_t i = 1; i < rows.size(); ++i) {
     std::vector<torch::Tensor> inputs;
-    for (const int from : layout.rows[i].from)
-      inputs.push_back(i == 0 ? NormalizePictures(pictures) : outputs[from < 0 ? i - 1 : static_cast<size_t>(from)]);
+    for (const int from : layout.rows[i].from) inputs.push_back(outputs[from < 0 ? i - 1 : static_cast<size_t>(from)]);
     outputs.push_back(rows[i]->Run(inputs));
   }
   std::array<torch::Tensor, 3> maps;
