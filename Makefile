@@ -29,10 +29,10 @@ check-all-but-test:
 	@tools/check.sh
 
 format:  ## write all sources in the house format
-	@find apps src tests tools -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 -i
+	@find apps src tests tools training -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 -i
 
 format-check:
-	@find apps src tests tools -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 --dry-run --Werror
+	@find apps src tests tools training -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 --dry-run --Werror
 
 layers:  ## rooms, guests, lengths, licence lines
 	@python3 tools/check_layers.py

@@ -8,6 +8,7 @@
 #include "datasets/picture_file.h"
 #include "training/class_table.h"
 #include "training/pack.h"
+#include "training/voc_labels.h"
 
 namespace yorb {
 namespace {
@@ -30,16 +31,20 @@ Result<cv::Mat> ReadSmall(const std::string& path, int long_side_px) {
   return pixels;
 }
 
-Result<PackItem> ReadItem(const LabelledFile& file, const BuildPackOptions& options, int num_classes) {
+Result<std::vector<LabelBox>> ReadLabels(const std::string& path, const ClassTable& classes) {
+  return path.ends_with(".xml") ? ReadVocLabels(path, classes) : ReadYoloLabels(path, classes.size());
+}
+
+Result<PackItem> ReadItem(const LabelledFile& file, const BuildPackOptions& options, const ClassTable& classes) {
   Result<cv::Mat> pixels = ReadSmall(file.picture, options.long_side_px);
   if (!pixels) return pixels.error();
-  Result<std::vector<LabelBox>> boxes = ReadYoloLabels(file.labels, num_classes);
+  Result<std::vector<LabelBox>> boxes = ReadLabels(file.labels, classes);
   if (!boxes) return boxes.error();
   const LabelRule rule = RuleFor(file.name, options.rules);
   PackItem item{*pixels, *boxes, rule.judged, rule.is_squashed};
   if (options.teacher.empty()) return item;
   const auto doubtful =
-      ReadDoubtfulBoxes(options.teacher + "/" + file.name + ".txt", num_classes, kDoubtFrom, kDoubtTo);
+      ReadDoubtfulBoxes(options.teacher + "/" + file.name + ".txt", classes.size(), kDoubtFrom, kDoubtTo);
   if (!doubtful) return doubtful.error();
   for (const LabelBox& box : *doubtful) {
     const bool is_known = std::any_of(boxes->begin(), boxes->end(), [&](const LabelBox& sure) {
@@ -63,7 +68,7 @@ Result<PackCounts> BuildPack(const std::vector<LabelledFile>& files, const std::
   if (!writer) return writer.error();
   PackCounts counts;
   for (const LabelledFile& file : files) {
-    const Result<PackItem> item = ReadItem(file, options, classes->size());
+    const Result<PackItem> item = ReadItem(file, options, *classes);
     if (!item) return item.error();
     if (const Status added = (*writer)->Add(*item); !added) return added.error();
     const auto num_doubtful =

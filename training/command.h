@@ -15,5 +15,7 @@ void AddPackCommand(CLI::App& program, Action& action);
 void AddTrainCommand(CLI::App& program, Action& action);
 void AddEvaluateCommand(CLI::App& program, Action& action);
 void AddExportCommand(CLI::App& program, Action& action);
+void AddCurvesCommand(CLI::App& program, Action& action);
+void AddTableCommand(CLI::App& program, Action& action);
 
 }  // namespace yorb

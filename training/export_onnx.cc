@@ -79,7 +79,9 @@ std::string SppfTo(OnnxGraph& graph, const std::string& name, const std::string&
 /// picture before it normalises.
 std::string FirstRowTo(OnnxGraph& graph, const std::string& in, const ConvRow& row, int padding) {
   FoldedConv conv = Fold(*row.conv_norm);
-  const auto as_tensor = [](const std::array<float, 3>& v) { return torch::tensor({v[0], v[1], v[2]}).view({1, 3, 1, 1}); };
+  const auto as_tensor = [](const std::array<float, 3>& v) {
+    return torch::tensor({v[0], v[1], v[2]}).view({1, 3, 1, 1});
+  };
   conv.weight = conv.weight / as_tensor(PictureDeviation());
   conv.bias = conv.bias - (conv.weight * as_tensor(PictureMean())).sum({1, 2, 3});
   conv.padding = padding;

@@ -23,11 +23,19 @@ int Complain(const Error& error) {
 int ReadAndAct(int argc, char** argv) {
   CLI::App program{"yorb-train: trains the detectors of yorb on labelled pictures", "yorb-train"};
   program.require_subcommand(1);
+  program.footer(
+      "Examples:\n"
+      "  yorb-train pack pictures/images --out set.pack --split 4:1\n"
+      "  yorb-train train set.train.pack --watch set.val.pack --classes classes.txt --out training --epochs 30\n"
+      "  yorb-train export training/last.pt detector.onnx\n"
+      "  yorb-train train --help");
   Action action;
   AddPackCommand(program, action);
   AddTrainCommand(program, action);
   AddEvaluateCommand(program, action);
   AddExportCommand(program, action);
+  AddCurvesCommand(program, action);
+  AddTableCommand(program, action);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

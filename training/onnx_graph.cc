@@ -138,10 +138,14 @@ std::string OnnxGraph::HardSigmoid(const std::string& in) {
 
 std::string OnnxGraph::Activate(const std::string& in, Activation activation) {
   switch (activation) {
-    case Activation::kNone: return in;
-    case Activation::kRelu: return Unary("Relu", in);
-    case Activation::kHardSwish: return Binary("Mul", in, HardSigmoid(in));
-    case Activation::kSilu: return Binary("Mul", in, Unary("Sigmoid", in));
+    case Activation::kNone:
+      return in;
+    case Activation::kRelu:
+      return Unary("Relu", in);
+    case Activation::kHardSwish:
+      return Binary("Mul", in, HardSigmoid(in));
+    case Activation::kSilu:
+      return Binary("Mul", in, Unary("Sigmoid", in));
   }
   return in;
 }

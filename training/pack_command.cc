@@ -1,21 +1,42 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "training/build_pack.h"
 #include "training/command.h"
+#include "training/split.h"
 
 namespace yorb {
 namespace {
 
 struct PackArguments {
   std::vector<std::string> folders;
-  std::string out, rules;
+  std::string out, rules, split;
+  uint64_t seed = 1;
   BuildPackOptions options;
 };
+
+Status PackFiles(const std::vector<LabelledFile>& files, const std::string& out, const BuildPackOptions& options) {
+  if (files.empty()) return BadInput(out + ": too few pictures are left for it; pack without --split");
+  const auto show = [&](size_t done) {
+    if (done % 500 == 0) std::printf("%zu of %zu pictures\n", done, files.size());
+  };
+  const Result<PackCounts> counts = BuildPack(files, out, options, show);
+  if (!counts) return counts.error();
+  std::printf("%s: %zu pictures, %zu boxes, %zu doubtful ones\n", out.c_str(), counts->num_pictures, counts->num_boxes,
+              counts->num_doubtful);
+  return Status::Ok();
+}
+
+/// OUT.pack becomes OUT.train.pack and OUT.val.pack.
+std::string PartPath(const std::string& out, const std::string& part) {
+  const std::filesystem::path path(out);
+  return (path.parent_path() / (path.stem().string() + part + path.extension().string())).string();
+}
 
 Status PackFolders(const PackArguments& arguments) {
   std::vector<LabelledFile> files;
@@ -35,14 +56,12 @@ Status PackFolders(const PackArguments& arguments) {
     if (!rules) return rules.error();
     options.rules = *rules;
   }
-  const auto show = [&](size_t done) {
-    if (done % 500 == 0) std::printf("%zu of %zu pictures\n", done, files.size());
-  };
-  const Result<PackCounts> counts = BuildPack(files, arguments.out, options, show);
-  if (!counts) return counts.error();
-  std::printf("%s: %zu pictures, %zu boxes, %zu doubtful ones\n", arguments.out.c_str(), counts->num_pictures,
-              counts->num_boxes, counts->num_doubtful);
-  return Status::Ok();
+  if (arguments.split.empty()) return PackFiles(files, arguments.out, options);
+  const Result<SplitRatio> ratio = ParseSplitRatio(arguments.split);
+  if (!ratio) return ratio.error();
+  const Split split = SplitFiles(files, *ratio, arguments.seed);
+  const Status packed = PackFiles(split.train, PartPath(arguments.out, ".train"), options);
+  return packed ? PackFiles(split.val, PartPath(arguments.out, ".val"), options) : packed;
 }
 
 }  // namespace
@@ -61,6 +80,9 @@ void AddPackCommand(CLI::App& program, Action& action) {
   command->add_option("--rules", arguments->rules, "Which classes which pictures are labelled for");
   command->add_option("--teacher", arguments->options.teacher,
                       "Folder of a teacher's boxes with confidence; those of .2 to .4 are neither true nor false");
+  command->add_option("--split", arguments->split,
+                      "Such as 4:1: write OUT.train.pack and OUT.val.pack, dealt out by chance");
+  command->add_option("--seed", arguments->seed, "Of that chance")->capture_default_str();
   command->callback([arguments, &action] { action = [arguments] { return PackFolders(*arguments); }; });
 }
 

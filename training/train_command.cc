@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "training/assign.h"
 #include "training/command.h"
 #include "training/open_packs.h"
 #include "training/stop_signal.h"
@@ -63,6 +65,16 @@ void ShowProgress(const TrainReport& report) {
   std::fflush(stdout);
 }
 
+/// How many of the true boxes the anchors fit; few would mean that other anchors are needed.
+void ShowAnchors(const Composer& pictures, const Layout& layout, const cv::Size& size) {
+  std::vector<Scene> scenes;
+  const size_t step = std::max<size_t>(1, pictures.size() / 200);
+  for (size_t i = 0; i < pictures.size(); i += step) scenes.push_back(pictures.Letterbox(i, size));
+  const Batch batch = MakeBatch(scenes, layout.num_classes);
+  std::printf("anchors fit %.1f %% of %zu boxes in %zu pictures\n", 100 * AnchorRecall(batch.targets, layout),
+              batch.targets.size(), scenes.size());
+}
+
 Status Train(const TrainArguments& arguments) {
   torch::set_num_threads(arguments.num_threads);
   torch::manual_seed(arguments.loader.seed);
@@ -91,6 +103,7 @@ Status Train(const TrainArguments& arguments) {
   if (const Status begun = Begin(arguments, state); !begun) return begun;
   std::printf("%s, %d classes, %zu pictures, from step %lld\n", arguments.network.c_str(), table->size(),
               (*pictures)->size(), static_cast<long long>(state.step));
+  ShowAnchors(**pictures, state.network->layout, options->schedule.phases.back().size);
   const Schedule schedule(options->schedule, state.seconds);
   Loader loader(*pictures, cutouts, *table, arguments.loader,
                 [schedule](int64_t step) { return schedule.SizeAt(step); });
