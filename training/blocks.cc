@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "training/blocks.h"
 
-#include <ATen/autocast_mode.h>
+#include "training/half_width.h"
 
 namespace yorb {
 namespace {
@@ -16,10 +16,8 @@ ConvSpec Pointwise(int in, int out, const LayerSpec& row, Activation activation)
 /// A convolution outside of autocast: oneDNN 2.6 differentiates wide depth-wise ones in bfloat16 two to three times
 /// slower than in float.
 torch::Tensor ConvolveInFloat(nn::Conv2d& conv, const torch::Tensor& x) {
-  at::autocast::set_cpu_enabled(false);
-  const torch::Tensor y = conv(x.to(torch::kFloat32));
-  at::autocast::set_cpu_enabled(true);
-  return y.to(torch::kBFloat16);
+  const HalfWidth full(false);
+  return conv(x.to(torch::kFloat32)).to(torch::kBFloat16);
 }
 
 nn::Conv2d PlainConv(int in, int out) { return nn::Conv2d(nn::Conv2dOptions(in, out, 1)); }
@@ -48,7 +46,7 @@ ConvNormImpl::ConvNormImpl(const ConvSpec& conv_spec) : spec(conv_spec) {
 }
 
 torch::Tensor ConvNormImpl::forward(const torch::Tensor& x) {
-  const bool is_slow_in_half = spec.groups > 1 && spec.kernel > 3 && at::autocast::is_cpu_enabled();
+  const bool is_slow_in_half = spec.groups > 1 && spec.kernel > 3 && IsHalfWidth();
   const torch::Tensor y = is_slow_in_half ? ConvolveInFloat(conv, x) : conv(x);
   return Activate(bn(y), spec.activation);
 }

@@ -30,15 +30,35 @@ void Mirror(Placing& placing, double scaled_width) {
   placing.scale_x = -placing.scale_x;
 }
 
-Placing DrawPlacing(const PackedPicture& picture, const cv::Rect& tile, double zoom, const ComposeOptions& options,
-                    Random& random) {
+/// How a picture is cut.
+struct Cut {
+  cv::Rect tile;  // of the scene, to be filled
+  double zoom = 1;
+  bool is_close_up = false;
+};
+
+/// The position (see Shift) that brings the middle `center` of a thing, in pixels of the scaled picture, to a place
+/// well within a gap of length `room`.
+double PositionOf(double center, double room, double scaled, Random& random) {
+  const double shift = room * random.Uniform(0.15, 0.85) - center;
+  return std::abs(room - scaled) < 1 ? 0.5 : std::clamp(shift / (room - scaled), 0.0, 1.0);
+}
+
+Placing DrawPlacing(const PackedPicture& picture, const Cut& cut, const ComposeOptions& options, Random& random) {
+  const cv::Rect& tile = cut.tile;
   const double range = picture.is_squashed ? options.squashed_aspect : options.log_aspect;
   const double aspect = std::exp(random.Uniform(-range, range));
-  const double scale = FitScale(picture.pixels, tile.size()) * zoom;
+  const double scale = FitScale(picture.pixels, tile.size()) * cut.zoom;
   Placing placing{.scale_x = scale * std::sqrt(aspect), .scale_y = scale / std::sqrt(aspect)};
   const double width = picture.pixels.cols * placing.scale_x, height = picture.pixels.rows * placing.scale_y;
-  placing.shift_x = tile.x + Shift(tile.width, width, random.Uniform());
-  placing.shift_y = tile.y + Shift(tile.height, height, random.Uniform());
+  double x = random.Uniform(), y = random.Uniform();
+  if (cut.is_close_up && !picture.boxes.empty()) {
+    const LabelBox& thing = picture.boxes[random.Below(static_cast<uint32_t>(picture.boxes.size()))];
+    x = PositionOf(thing.cx * width, tile.width, width, random);
+    y = PositionOf(thing.cy * height, tile.height, height, random);
+  }
+  placing.shift_x = tile.x + Shift(tile.width, width, x);
+  placing.shift_y = tile.y + Shift(tile.height, height, y);
   if (random.Uniform() < options.flip) Mirror(placing, width);
   return placing;
 }
@@ -123,21 +143,23 @@ Composer::Source Composer::GetSource(size_t index) const {
 
 Scene Composer::Compose(size_t index, const cv::Size& size, const ComposeOptions& options, Random& random) const {
   Scene scene{cv::Mat(size, CV_8UC3), {}, {}};
-  const auto add = [&](size_t picture, const cv::Rect& tile, double extra_zoom) {
+  const auto add = [&](size_t picture, const Cut& cut) {
     const Source source = GetSource(picture);
-    const double zoom = std::exp(random.Uniform(-options.log_scale, options.log_scale)) * extra_zoom;
-    const Placing placing = DrawPlacing(source.picture, tile, zoom, options, random);
-    DrawPicture(source.picture.pixels, placing, tile, scene.pixels);
-    AddBoxes(source.picture, placing, tile, options, scene.boxes);
+    const Placing placing = DrawPlacing(source.picture, cut, options, random);
+    DrawPicture(source.picture.pixels, placing, cut.tile, scene.pixels);
+    AddBoxes(source.picture, placing, cut.tile, options, scene.boxes);
     return source.judged;
   };
+  const auto draw_zoom = [&] { return std::exp(random.Uniform(-options.log_scale, options.log_scale)); };
   if (random.Uniform() >= options.mosaic) {
-    scene.judged = add(index, cv::Rect(cv::Point(), size), 1.15);
+    Cut cut{cv::Rect(cv::Point(), size), 1.15 * draw_zoom(), random.Uniform() < options.close_up};
+    if (cut.is_close_up) cut.zoom = std::exp(random.Uniform(std::log(1.3), std::log(options.most_close_up)));
+    scene.judged = add(index, cut);
     return scene;
   }
   scene.judged.set();
   for (const cv::Rect& tile : DrawTiles(size, random)) {
-    scene.judged &= add(index, tile, 1.4);
+    scene.judged &= add(index, {tile, 1.4 * draw_zoom()});
     index = random.Below(static_cast<uint32_t>(places_.size()));
   }
   return scene;

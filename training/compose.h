@@ -19,6 +19,8 @@ struct ComposeOptions {
   double log_scale = 0.5;         ///< half the range of the zoom's logarithm: 0.6 to 1.65
   double log_aspect = 0.12;       ///< half the range of the logarithm of width against height
   double squashed_aspect = 0.35;  ///< the same for pictures that were made square: 4:3 and 3:4 lie within
+  double close_up = 0.25;         ///< share of single pictures that look closely at one of their things
+  double most_close_up = 3;       ///< times that they are enlarged, at most; 1.3 at least
   double flip = 0.5;              ///< share of mirrored pictures
   double kept_part = 0.2;         ///< a box of which less than this is in view is doubtful
   double least_px = 3;            ///< boxes with a shorter side are doubtful

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "datasets/test_folder.h"
 #include "training/loader.h"
 #include "training/people.h"
 #include "training/test_shapes.h"
@@ -15,8 +16,9 @@ namespace {
 
 const ClassTable kTable{{"square", "disc"}, {"", ""}};  // the other way round than in the pack
 
-std::shared_ptr<const Composer> MakeComposer(const std::string& name, int count) {
-  const auto pack = MakeShapePack(testing::TempDir() + "/" + name, count, 3);
+std::shared_ptr<const Composer> MakeComposer(int count) {
+  const TestFolder folder;  // the mapping outlives the file's name
+  const auto pack = MakeShapePack(folder.Path("shapes.pack"), count, 3);
   return std::make_shared<Composer>(std::vector<std::shared_ptr<const Pack>>{pack}, kTable);
 }
 
@@ -29,7 +31,7 @@ double Brightness(const cv::Mat& pixels, const SceneBox& box) {
 }
 
 TEST(Compose, LetterboxKeepsBoxesOnTheirThings) {
-  const auto composer = MakeComposer("letterbox.pack", 4);
+  const auto composer = MakeComposer(4);
   for (const cv::Size size : {cv::Size(320, 256), cv::Size(64, 160)}) {
     const Scene scene = composer->Letterbox(1, size);
     ASSERT_FALSE(scene.boxes.empty());
@@ -38,7 +40,7 @@ TEST(Compose, LetterboxKeepsBoxesOnTheirThings) {
 }
 
 TEST(Compose, AugmentedBoxesStayOnTheirThings) {
-  const auto composer = MakeComposer("augmented.pack", 8);
+  const auto composer = MakeComposer(8);
   int num_boxes = 0;
   for (uint64_t i = 0; i < 60; ++i) {
     Random random(5, i);
@@ -56,7 +58,7 @@ TEST(Compose, AugmentedBoxesStayOnTheirThings) {
 }
 
 TEST(Compose, ClassesGoByName) {
-  const auto composer = MakeComposer("names.pack", 8);
+  const auto composer = MakeComposer(8);
   const std::vector<PackItem> items = MakeShapePictures(8, 3);
   for (size_t i = 0; i < items.size(); ++i) {
     const Scene scene = composer->Letterbox(i, {128, 96});
@@ -70,11 +72,11 @@ TEST(PastePeople, TheBoxIsWhatIsSeenOfThePerson) {
   cv::Mat cutout(60, 30, CV_8UC4, cv::Scalar(0, 0, 0, 0));
   cv::ellipse(cutout, {15, 30}, {12, 28}, 0, 0, 360, cv::Scalar(200, 60, 60, 255), cv::FILLED);
   PeopleOptions options;
-  options.share = 1;
+  options.share = options.most = 1;
+  options.occluded_share = 0;
   int num_people = 0;
   for (uint64_t i = 0; i < 40; ++i) {
     Scene scene{cv::Mat(128, 160, CV_8UC3, cv::Scalar::all(0)), {}, {}};
-    options.most = 1;
     Random random(9, i);
     PastePeople({cutout}, 4, options, scene, random);
     cv::Mat grey, seen;
@@ -91,7 +93,7 @@ TEST(PastePeople, TheBoxIsWhatIsSeenOfThePerson) {
 }
 
 TEST(Loader, AResumedTrainingSeesTheSamePictures) {
-  const auto composer = MakeComposer("resume.pack", 10);
+  const auto composer = MakeComposer(10);
   LoaderOptions options;
   options.batch_size = 4;
   const auto size = [](int64_t) { return cv::Size(96, 64); };

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "core/files.h"
+#include "datasets/test_folder.h"
 #include "training/label_rules.h"
 #include "training/split.h"
 #include "training/voc_labels.h"
@@ -14,13 +14,17 @@
 namespace yorb {
 namespace {
 
-std::string Write(const std::string& name, const std::string& content) {
-  const std::string path = testing::TempDir() + "/labels_test_" + name;
-  EXPECT_TRUE(WriteFileWhole(path, content).ok());
-  return path;
-}
+class LabelFiles : public testing::Test {
+ protected:
+  std::string Write(const std::string& name, const std::string& content) const {
+    folder_.Write(name, content);
+    return folder_.Path(name);
+  }
 
-TEST(YoloLabels, BoxesAndPolygonsAreReadAndCutToThePicture) {
+  TestFolder folder_;
+};
+
+TEST_F(LabelFiles, BoxesAndPolygonsAreReadAndCutToThePicture) {
   const auto boxes = ReadYoloLabels(Write("a.txt",
                                           "1 0.5 0.5 0.2 0.4\n0 0.1 0.2 0.3 0.2 0.3 0.6 0.1 0.6\n"
                                           "2 0.95 0.5 0.2 0.2\n1 0.5 0.5 0.2 0.4\n"),
@@ -33,13 +37,13 @@ TEST(YoloLabels, BoxesAndPolygonsAreReadAndCutToThePicture) {
   EXPECT_NEAR((*boxes)[2].cx + (*boxes)[2].width / 2, 1.0, 1e-6);
 }
 
-TEST(YoloLabels, AMissingFileIsAnEmptyPicture) {
-  const auto boxes = ReadYoloLabels(testing::TempDir() + "/labels_test_none.txt", 3);
+TEST_F(LabelFiles, AMissingFileIsAnEmptyPicture) {
+  const auto boxes = ReadYoloLabels(folder_.Path("none.txt"), 3);
   ASSERT_TRUE(boxes.ok());
   EXPECT_TRUE(boxes->empty());
 }
 
-TEST(YoloLabels, BadLinesAreNamed) {
+TEST_F(LabelFiles, BadLinesAreNamed) {
   for (const char* line : {"0 0.5 0.5 0.2\n", "x 0.5 0.5 0.2 0.2\n", "3 0.5 0.5 0.2 0.2\n", "0.5 0.5 0.5 0.2 0.2\n",
                            "0 nan 0.5 0.2 0.2\n"}) {
     const auto boxes = ReadYoloLabels(Write("bad.txt", std::string("0 0.5 0.5 0.1 0.1\n") + line), 3);
@@ -48,7 +52,7 @@ TEST(YoloLabels, BadLinesAreNamed) {
   }
 }
 
-TEST(DoubtfulBoxes, OnlyTheUnsureOnesAreKept) {
+TEST_F(LabelFiles, OnlyTheUnsureOnesAreKept) {
   const std::string path =
       Write("teacher.txt", "0 0.5 0.5 0.1 0.1 0.9\n0 0.5 0.5 0.1 0.1 0.3\n0 0.5 0.5 0.1 0.1 0.1\n");
   const auto boxes = ReadDoubtfulBoxes(path, 1, 0.2, 0.4);
@@ -57,7 +61,7 @@ TEST(DoubtfulBoxes, OnlyTheUnsureOnesAreKept) {
   EXPECT_EQ(boxes->front().is_doubtful, 1);
 }
 
-TEST(VocLabels, ObjectsOfLabelImgAreRead) {
+TEST_F(LabelFiles, ObjectsOfLabelImgAreRead) {
   const ClassTable classes{{"chair", "person"}, {"", ""}};
   const std::string path = Write("voc.xml",
                                  "<annotation><size><width>200</width><height>100</height><depth>3</depth></size>"
@@ -75,7 +79,7 @@ TEST(VocLabels, ObjectsOfLabelImgAreRead) {
   EXPECT_EQ((*boxes)[1].is_doubtful, 1);
 }
 
-TEST(VocLabels, UnknownClassesAndMissingPartsAreNamed) {
+TEST_F(LabelFiles, UnknownClassesAndMissingPartsAreNamed) {
   const ClassTable classes{{"chair"}, {""}};
   const auto unknown = ReadVocLabels(
       Write("u.xml",
@@ -86,7 +90,7 @@ TEST(VocLabels, UnknownClassesAndMissingPartsAreNamed) {
   EXPECT_FALSE(ReadVocLabels(Write("e.xml", "<annotation></annotation>"), classes).ok());
 }
 
-TEST(LabelRules, TheFirstFittingPrefixCounts) {
+TEST_F(LabelFiles, TheFirstFittingPrefixCounts) {
   const auto rules = ReadLabelRules(Write("rules.txt", "door_ 0-2 5\nsq_ all squashed\n* 1\n"));
   ASSERT_TRUE(rules.ok()) << rules.error().message;
   const LabelRule door = RuleFor("door_17", *rules);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
+#include "datasets/test_folder.h"
 #include "training/curves.h"
 #include "training/test_shapes.h"
 #include "training/trainer.h"
@@ -15,17 +15,15 @@ namespace {
 const ClassTable kTable{{"disc", "square"}, {"", ""}};
 
 struct Fixture {
+  TestFolder folder;
   std::shared_ptr<const Composer> pictures;
   TrainerOptions options;
   LoaderOptions loader;
 
-  Fixture(const std::string& name, int num_pictures, int64_t num_steps) {
-    const std::string folder = testing::TempDir() + "/" + name;
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    const auto pack = MakeShapePack(folder + "/shapes.pack", num_pictures, 1);
+  Fixture(int num_pictures, int64_t num_steps) {
+    const auto pack = MakeShapePack(folder.Path("shapes.pack"), num_pictures, 1);
     pictures = std::make_shared<Composer>(std::vector<std::shared_ptr<const Pack>>{pack}, kTable);
-    options.out = folder;
+    options.out = folder.Path();
     options.schedule.num_steps = num_steps;
     options.schedule.num_warmup_steps = 5;
     options.schedule.phases = {{1, {128, 96}}};
@@ -42,7 +40,7 @@ struct Fixture {
 TEST(Training, LearnsThirtyTwoPicturesByHeart) {
   torch::set_num_threads(1);
   torch::manual_seed(1);
-  const Fixture fixture("overfit", 32, 160);
+  const Fixture fixture(32, 160);
   OptimizerOptions optimizer;
   optimizer.rate = 0.004;
   optimizer.backbone_part = 1;
@@ -72,7 +70,7 @@ double Fingerprint(TrainState& state) {
 
 TEST(Training, ResumedTrainingGoesOnAsIfItHadNotStopped) {
   torch::set_num_threads(1);
-  const Fixture whole("whole", 8, 6), parts("parts", 8, 6);
+  const Fixture whole(8, 6), parts(8, 6);
   const auto run = [](const Fixture& fixture, TrainState& state, int64_t last) {
     Trainer trainer(state, fixture.MakeLoader(), {}, fixture.options);
     return trainer.Run([](const TrainReport&) {}, [&] { return state.step >= last; }).ok();
@@ -93,7 +91,8 @@ TEST(Training, ResumedTrainingGoesOnAsIfItHadNotStopped) {
 }
 
 TEST(Training, ForeignCheckpointsAreRefused) {
-  const std::string path = testing::TempDir() + "/foreign.pt";
+  const TestFolder folder;
+  const std::string path = folder.Path("foreign.pt");
   TrainState state(MakeLayout("yolo-mo-n", 2), kTable, {});
   ASSERT_TRUE(SaveCheckpoint(path, state).ok());
   TrainState other(MakeLayout("yolo-mo-n", 1), {{"disc"}, {""}}, {});

@@ -7,13 +7,15 @@
 #include <filesystem>
 
 #include "core/files.h"
+#include "datasets/test_folder.h"
 #include "training/test_shapes.h"
 
 namespace yorb {
 namespace {
 
 TEST(Pack, GivesBackWhatWasPutIn) {
-  const std::string path = testing::TempDir() + "/round.pack";
+  const TestFolder folder;
+  const std::string path = folder.Path("round.pack");
   std::vector<PackItem> items = MakeShapePictures(3, 1);
   items[1].judged.reset(5).reset(100);
   items[1].is_squashed = true;
@@ -36,7 +38,8 @@ TEST(Pack, GivesBackWhatWasPutIn) {
 }
 
 TEST(Pack, AnUnfinishedOrCutOrForeignFileIsRefused) {
-  const std::string path = testing::TempDir() + "/cut.pack";
+  const TestFolder folder;
+  const std::string path = folder.Path("cut.pack");
   {
     auto writer = PackWriter::Create(path, {"disc"});
     ASSERT_TRUE(writer.ok());

@@ -87,21 +87,44 @@ bool IsHidden(const SceneBox& box, const cv::Mat& covered) {
   return !area.empty() && cv::countNonZero(covered(area)) > 0.75 * area.area();
 }
 
-void PasteOne(const cv::Mat& person, int person_class, Scene& scene, Random& random) {
-  // The middle may lie anywhere, so that parts of the person are out of the picture; feet reach the floor more often.
+/// Puts a piece of the picture as it was before, or a dark plate as of a screen, in front of the person; what it
+/// covers is taken out of `covered`.
+void Occlude(const cv::Mat& before, cv::Mat pixels, cv::Mat covered, Random& random) {
+  const cv::Rect person = cv::boundingRect(covered), all(cv::Point(), pixels.size());
+  const cv::Size size(std::max(2, static_cast<int>(person.width * random.Uniform(0.3, 1.0))),
+                      std::max(2, static_cast<int>(person.height * random.Uniform(0.2, 0.6))));
+  const cv::Point at(person.x + static_cast<int>(person.width * random.Uniform(-0.3, 0.8)),
+                     person.y + static_cast<int>(person.height * random.Uniform(0.3, 0.9)));
+  const cv::Rect plate = cv::Rect(at, size) & all;
+  if (plate.empty()) return;
+  const cv::Point from(static_cast<int>(random.Below(static_cast<uint32_t>(pixels.cols - plate.width + 1))),
+                       static_cast<int>(random.Below(static_cast<uint32_t>(pixels.rows - plate.height + 1))));
+  if (random.Uniform() < 0.5)
+    before(cv::Rect(from, plate.size())).copyTo(pixels(plate));
+  else
+    pixels(plate).setTo(cv::Scalar::all(random.Uniform(5, 60)));
+  covered(plate).setTo(0);
+}
+
+void PasteOne(const cv::Mat& person, const PeopleOptions& options, int person_class, Scene& scene, Random& random) {
+  // The middle may lie nearly anywhere, so that head, legs or a side are out of the picture.
   const int x = static_cast<int>(random.Uniform(-0.1, 1.1) * scene.pixels.cols - person.cols / 2.0);
-  const int y = static_cast<int>(random.Uniform(0.25, 0.95) * scene.pixels.rows - person.rows / 2.0);
-  const cv::Mat covered = Blend(person, cv::Point(x, y), scene.pixels);
-  const cv::Rect seen = cv::boundingRect(covered);
+  const int y = static_cast<int>(random.Uniform(-0.1, 1.0) * scene.pixels.rows - person.rows / 2.0);
+  const cv::Mat before = scene.pixels.clone();
+  cv::Mat covered = Blend(person, cv::Point(x, y), scene.pixels);
   std::erase_if(scene.boxes, [&](const SceneBox& box) { return IsHidden(box, covered); });
+  if (cv::countNonZero(covered) > 0 && random.Uniform() < options.occluded_share)
+    Occlude(before, scene.pixels, covered, random);
+  const cv::Rect seen = cv::boundingRect(covered);
   if (seen.width < 4 || seen.height < 4) return;
+  // A sleeve at the border may or may not be called a person.
   const int num_seen = cv::countNonZero(covered), num_whole = std::max(1, person.rows * person.cols / 3);
   scene.boxes.push_back({.left = static_cast<float>(seen.x),
                          .top = static_cast<float>(seen.y),
                          .right = static_cast<float>(seen.br().x),
                          .bottom = static_cast<float>(seen.br().y),
                          .class_index = person_class,
-                         .is_doubtful = num_seen < 0.1 * num_whole});
+                         .is_doubtful = num_seen < 0.08 * num_whole || num_seen < 0.2 * seen.area()});
 }
 
 }  // namespace
@@ -125,7 +148,7 @@ void PastePeople(const std::vector<cv::Mat>& cutouts, int person_class, const Pe
   const uint32_t count = 1 + random.Below(static_cast<uint32_t>(options.most));
   for (uint32_t i = 0; i < count; ++i) {
     const cv::Mat& cutout = cutouts[random.Below(static_cast<uint32_t>(cutouts.size()))];
-    PasteOne(DrawPerson(cutout, scene.pixels.size(), options, random), person_class, scene, random);
+    PasteOne(DrawPerson(cutout, scene.pixels.size(), options, random), options, person_class, scene, random);
   }
 }
 

@@ -14,11 +14,12 @@ namespace yorb {
 
 /// How people are pasted into pictures.
 struct PeopleOptions {
-  double share = 0.35;      ///< of the pictures
+  double share = 0.4;       ///< of the pictures
   int most = 3;             ///< people a picture
   double least_size = 0.2;  ///< height of a person in heights of the picture; they come evenly in its logarithm
-  double largest_size = 2.0;
-  double cut_share = 0.4;  ///< of the people, whose lower or side part is hidden
+  double largest_size = 2.8;
+  double cut_share = 0.35;       ///< of the people, whose lower or side part is hidden by a straight edge
+  double occluded_share = 0.35;  ///< of the people, before whom a piece of the picture or a dark plate stands
 };
 
 /// Cut-outs of people, CV_8UC4 with their transparency.

@@ -10,6 +10,7 @@
 #include "core/prefetch.h"
 #include "core/stopwatch.h"
 #include "core/text.h"
+#include "training/half_width.h"
 
 namespace yorb {
 namespace {
@@ -35,12 +36,9 @@ void Add(const Loss& loss, TrainReport& sum) {
 }
 
 std::array<torch::Tensor, 3> Forward(Network& network, const torch::Tensor& input, bool is_half_wide) {
-  if (!is_half_wide) return network(input);
-  at::autocast::set_cpu_enabled(true);
-  at::autocast::set_autocast_cpu_dtype(at::kBFloat16);
+  const HalfWidth width(is_half_wide);
   const auto maps = network(input);
-  at::autocast::clear_cache();
-  at::autocast::set_cpu_enabled(false);
+  if (is_half_wide) at::autocast::clear_cache();  // weights in bfloat16, which the next step outdates
   return maps;
 }
 
