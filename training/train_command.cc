@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.h"
 #include "training/assign.h"
 #include "training/command.h"
 #include "training/open_packs.h"
@@ -28,18 +29,33 @@ struct TrainArguments {
   TrainerOptions trainer;
 };
 
+Result<torch::Device> ReadDevice(const std::string& name) {
+  const std::string wrong = "--device " + OneLine(name) + ": ";
+  try {
+    const torch::Device device(name);
+    if (!device.is_cpu() && !device.is_cuda()) return BadInput(wrong + "only cpu and cuda are known");
+    if (device.is_cuda() && !torch::cuda::is_available())
+      return BadInput(wrong + "this libtorch sees no such device; --device cpu works everywhere");
+    return device;
+  } catch (const c10::Error&) {
+    return BadInput(wrong + "is none such as cpu, cuda or cuda:1");
+  }
+}
+
 Result<TrainerOptions> MakeTrainerOptions(const TrainArguments& arguments, size_t num_pictures) {
   const auto phases = ParseSizePhases(arguments.sizes);
   if (!phases) return phases.error();
   if ((arguments.epochs > 0) == (arguments.minutes > 0))
     return BadInput("either --epochs or --minutes says how long the training is");
+  const Result<torch::Device> device = ReadDevice(arguments.device);
+  if (!device) return device.error();
   TrainerOptions options = arguments.trainer;
   options.schedule.phases = *phases;
   options.schedule.minutes = arguments.minutes;
   options.schedule.num_steps = static_cast<int64_t>(
       std::ceil(arguments.epochs * static_cast<double>(num_pictures) / arguments.loader.batch_size));
   options.out = arguments.out;
-  options.device = torch::Device(arguments.device);
+  options.device = *device;
   return options;
 }
 
