@@ -4,6 +4,7 @@
 
 #include <ATen/autocast_mode.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -30,9 +31,19 @@ Status AppendLine(const std::string& path, const std::string& heading, const std
 }
 
 void Add(const Loss& loss, TrainReport& sum) {
-  sum.box += loss.box / kReportSteps;
-  sum.objectness += loss.objectness / kReportSteps;
-  sum.classes += loss.classes / kReportSteps;
+  sum.box += loss.box;
+  sum.objectness += loss.objectness;
+  sum.classes += loss.classes;
+  ++sum.num_steps;
+}
+
+/// Sums to means.
+TrainReport Mean(TrainReport sum) {
+  const double count = static_cast<double>(std::max<int64_t>(1, sum.num_steps));  // fewer than usual after a resumption
+  sum.box /= count;
+  sum.objectness /= count;
+  sum.classes /= count;
+  return sum;
 }
 
 std::array<torch::Tensor, 3> Forward(Network& network, const torch::Tensor& input, bool is_half_wide) {
@@ -106,10 +117,11 @@ Status Trainer::Run(const std::function<void(const TrainReport&)>& report, const
     Add(Step(*batch, rate), sum);
     state_.seconds = schedule_.Seconds();
     if (state_.step % kReportSteps == 0) {
+      sum = Mean(sum);
       sum.step = state_.step;
       sum.progress = schedule_.Progress(state_.step);
       sum.seconds = state_.seconds;
-      sum.pictures_per_second = static_cast<double>(kReportSteps * batch->pictures.size(0)) / since_report.seconds();
+      sum.pictures_per_second = static_cast<double>(sum.num_steps * batch->pictures.size(0)) / since_report.seconds();
       sum.size = cv::Size(static_cast<int>(batch->pictures.size(2)), static_cast<int>(batch->pictures.size(1)));
       sum.rate = rate * state_.options.rate;
       report(sum);

@@ -38,6 +38,7 @@ struct TrainerOptions {
 /// Means since the last report.
 struct TrainReport {
   int64_t step = 0;
+  int64_t num_steps = 0;  ///< that the means are over
   double progress = 0, seconds = 0, pictures_per_second = 0;
   cv::Size size;
   double rate = 0;
