@@ -19,6 +19,7 @@ struct EvaluateArguments {
   std::string checkpoint, size = "320x256";
   std::vector<std::string> packs;
   int num_threads = 1;
+  bool takes_last = false;
 };
 
 void Print(const std::string& name, const Evaluation& evaluation, const ClassTable& table) {
@@ -39,7 +40,9 @@ Status EvaluatePacks(const EvaluateArguments& arguments) {
   for (const std::string& path : arguments.packs) {
     const auto pictures = OpenPacks({path}, kind->table);
     if (!pictures) return pictures.error();
-    Print(path, Evaluate(state.average, **pictures, phases->back().size, torch::kCPU), kind->table);
+    Print(path,
+          Evaluate(arguments.takes_last ? state.network : state.average, **pictures, phases->back().size, torch::kCPU),
+          kind->table);
   }
   return Status::Ok();
 }
@@ -53,6 +56,7 @@ void AddEvaluateCommand(CLI::App& program, Action& action) {
   command->add_option("PACK", arguments->packs, "Packs to measure on")->required();
   command->add_option("--size", arguments->size, "Input size")->capture_default_str();
   command->add_option("--threads", arguments->num_threads)->check(CLI::Range(1, 256))->capture_default_str();
+  command->add_flag("--last", arguments->takes_last, "Measure the weights of the last step, not the averaged ones");
   command->callback([arguments, &action] { action = [arguments] { return EvaluatePacks(*arguments); }; });
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 struct ExportArguments {
   std::string checkpoint, out, size = "320x256";
+  bool takes_last = false;
 };
 
 Status Export(const ExportArguments& arguments) {
@@ -24,7 +25,8 @@ Status Export(const ExportArguments& arguments) {
   if (!kind) return kind.error();
   TrainState state(MakeLayout(kind->layout, kind->table.size()), kind->table, {});
   if (const Status loaded = LoadCheckpoint(arguments.checkpoint, state); !loaded) return loaded;
-  const std::string bytes = ExportOnnx(state.average, kind->table, phases->back().size);
+  const std::string bytes =
+      ExportOnnx(arguments.takes_last ? state.network : state.average, kind->table, phases->back().size);
   std::printf("%s: %s after %lld steps, %d classes, %s, %.1f MB\n", arguments.out.c_str(), kind->layout.c_str(),
               static_cast<long long>(state.step), kind->table.size(), arguments.size.c_str(),
               static_cast<double>(bytes.size()) / 1e6);
@@ -39,6 +41,7 @@ void AddExportCommand(CLI::App& program, Action& action) {
   command->add_option("CHECKPOINT", arguments->checkpoint, "last.pt of a training")->required();
   command->add_option("OUT", arguments->out, "The ONNX file to write")->required();
   command->add_option("--size", arguments->size, "Input size, width x height, multiples of 32")->capture_default_str();
+  command->add_flag("--last", arguments->takes_last, "Export the weights of the last step, not the averaged ones");
   command->callback([arguments, &action] { action = [arguments] { return Export(*arguments); }; });
 }
 
