@@ -10,7 +10,7 @@ STEADY := $(shell setarch -R true 2>/dev/null && echo setarch -R)
 BUILD = cmake --build $(1) --parallel $(JOBS)
 
 .PHONY: build test demo check check-all-but-test format format-check layers headers werror asan tsan tidy install-check \
-        install packages clean help
+        training install packages clean help
 
 build: packages $(RELEASE)/build.ninja  ## build the program, release
 	@$(call BUILD,$(RELEASE)) --target yorb
@@ -29,10 +29,10 @@ check-all-but-test:
 	@tools/check.sh
 
 format:  ## write all sources in the house format
-	@find apps src tests tools -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 -i
+	@find apps src tests tools training -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 -i
 
 format-check:
-	@find apps src tests tools -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 --dry-run --Werror
+	@find apps src tests tools training -name '*.h' -print0 -o -name '*.cc' -print0 | xargs -0 clang-format-14 --dry-run --Werror
 
 layers:  ## rooms, guests, lengths, licence lines
 	@python3 tools/check_layers.py
@@ -57,6 +57,13 @@ tidy: packages $(RELEASE)/build.ninja  ## clang-tidy over all sources
 
 install-check: build  ## install to a scratch prefix and build a consumer against it
 	@tools/check_install.sh $(RELEASE) build/install_check
+
+training:  ## build yorb-train (libtorch) in build/training, and run its tests
+	@tools/install_packages.sh
+	@tools/install_packages.sh train
+	@cmake -S . -B build/training -G Ninja -DYORB_TRAINING=ON -DYORB_BENCHES=OFF
+	@cmake --build build/training --parallel $(JOBS) --target yorb-train training_test
+	@ctest --test-dir build/training --output-on-failure -R '^training\.'
 
 install: build  ## PREFIX=/usr/local
 	@$(call BUILD,$(RELEASE))

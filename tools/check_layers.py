@@ -32,7 +32,9 @@ GUESTS = [
      "rooms that see pictures; not in core, geometry, map, optimize, places"),
     ("nlohmann-json", r"nlohmann/", r"(src/(system|detection|datasets|evaluation|runs|experiments)|apps|tests)/.*",
      "system, detection, datasets, evaluation, runs, experiments, apps"),
-    ("CLI11", r"CLI/", r"apps/.*", "apps"),
+    ("CLI11", r"CLI/", r"(apps|training)/.*", "apps and training"),
+    ("libtorch", r"(torch|ATen|c10)/", r"training/.*", "training"),
+    ("the ONNX protobuf", r"onnx/", r"training/.*", "training"),
     ("Ceres", r"ceres/", r"src/optimize/.*_(test|bench)\.cc|" + TEST_HEADERS, "the tests and benchmarks of optimize (it is an oracle)"),
     ("the inference engine", r"(opencv2/dnn|xnnpack\.h|pthreadpool\.h|onnxruntime)", r"src/detection/.*\.cc", "src/detection/*.cc; detectors stand behind detection/detector.h"),
     ("GoogleTest", r"(gtest|gmock)/", TESTS, "*_test.cc"),
@@ -114,7 +116,7 @@ def check_include(root, layers, path, name, is_quoted, where):
             way = "sideways" if layers.line_of[room] == layers.line_of[other] else "down"
             yield (f"{where}: {room} includes {way} into {other}; move what both need to a room above "
                    "(or make it a message in map/event.h)")
-    elif is_quoted and other in ("apps", "tests"):
+    elif is_quoted and other in ("apps", "tests", "training"):
         if not path.startswith(other + "/"):
             yield f"{where}: {other} is below every room and is included by itself alone"
     elif is_quoted:

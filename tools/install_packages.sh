@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The yorb-slam authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing of tools/packages.txt, and touches nothing where nothing is missing.
-# Usage: tools/install_packages.sh [GROUP]     GROUP "check" adds the packages of `make check`.
+# Usage: tools/install_packages.sh [GROUP]     GROUP "check" adds the packages of `make check`, "train" those of yorb-train.
 set -eu
 group=${1:-}
 list=$(dirname "$0")/packages.txt

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <torch/torch.h>
+
+#include <array>
+
+#include "training/batch.h"
+#include "training/layout.h"
+
+namespace yorb {
+
+/// Weights of the parts of the loss.
+struct LossOptions {
+  double box = 0.05;
+  double objectness = 0.7;
+  double classes = 0.3;
+  std::array<double, 3> level_objectness{4.0, 1.0, 0.4};  ///< small things have most cells, and these the least signal
+};
+
+/// The loss of a batch and its parts, each a mean over the batch.
+struct Loss {
+  torch::Tensor total;  ///< times the batch size: what is differentiated
+  double box = 0, objectness = 0, classes = 0;
+};
+
+/// YOLOv5's loss (CIoU of boxes, binary cross entropies of objectness and classes) with two additions for truth that is
+/// incomplete: a class that a picture is not judged for is left out of its class loss, and where the network itself
+/// sees such a class, the cell is no background.
+Loss DetectionLoss(const std::array<torch::Tensor, 3>& maps, const Batch& batch, const Layout& layout,
+                   const LossOptions& options);
+
+/// Complete IoU of boxes (n, 4) as centre x, y, width, height; the weight of its aspect term is held constant.
+torch::Tensor CompleteIou(const torch::Tensor& a, const torch::Tensor& b);
+
+}  // namespace yorb
