@@ -36,7 +36,7 @@ GUESTS = [
     ("libtorch", r"(torch|ATen|c10)/", r"training/.*", "training"),
     ("the ONNX protobuf", r"onnx/", r"training/.*", "training"),
     ("Ceres", r"ceres/", r"src/optimize/.*_(test|bench)\.cc|" + TEST_HEADERS, "the tests and benchmarks of optimize (it is an oracle)"),
-    ("the inference engine", r"(opencv2/dnn|xnnpack\.h|pthreadpool\.h|onnxruntime)", r"src/detection/.*\.cc", "src/detection/*.cc; detectors stand behind detection/detector.h"),
+    ("the inference engine", r"(opencv2/dnn|xnnpack\.h|pthreadpool\.h|onnxruntime)", r"src/detection/.*\.cc|training/.*_test\.cc", "src/detection/*.cc; detectors stand behind detection/detector.h"),
     ("GoogleTest", r"(gtest|gmock)/", TESTS, "*_test.cc"),
     ("Google Benchmark", r"benchmark/", r".*_bench\.cc|bench/.*", "*_bench.cc"),
     ("threads", r"(mutex|shared_mutex|thread|atomic|condition_variable|future|semaphore|latch|barrier|stop_token|pthread\.h)$",
