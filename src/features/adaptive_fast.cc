@@ -60,17 +60,29 @@ void CornerDetector::Classify(const std::vector<Corner>& found, const GreyView& 
   }
 }
 
-size_t CornerDetector::ChooseByCells(const std::vector<Corner>& found, const GreyView& level, int border) {
+void CornerDetector::FindCells(const std::vector<Corner>& found, const GreyView& level, int border) {
   const CellAxis columns(level.width, border), rows(level.height, border);
+  // A table of columns spares a division for each corner; rows change seldom.
   column_cells_.resize(static_cast<size_t>(level.width));
   for (int x = border; x < level.width - border; ++x) {
     column_cells_[static_cast<size_t>(x)] = static_cast<uint32_t>((x - border) / columns.size);
   }
-  has_first_.assign(static_cast<size_t>(columns.count * rows.count), 0);
   cells_.clear();
+  int y = -1;
+  uint32_t row_start = 0;
+  for (const Corner& corner : found) {
+    if (corner.y != y) {
+      y = corner.y;
+      row_start = static_cast<uint32_t>((y - border) / rows.size * columns.count);
+    }
+    cells_.push_back(row_start + column_cells_[static_cast<size_t>(corner.x)]);
+  }
+}
+
+size_t CornerDetector::ChooseByCells(const std::vector<Corner>& found, const GreyView& level, int border) {
+  FindCells(found, level, border);
+  has_first_.assign(static_cast<size_t>(CellAxis(level.width, border).count * CellAxis(level.height, border).count), 0);
   for (size_t i = 0; i < found.size(); ++i) {
-    const int row = (found[i].y - border) / rows.size;
-    cells_.push_back(static_cast<uint32_t>(row * columns.count) + column_cells_[static_cast<size_t>(found[i].x)]);
     if (classes_[i] == Class::kFirst) has_first_[cells_[i]] = 1;
   }
   size_t chosen = 0;
@@ -103,13 +115,11 @@ void CornerDetector::MeasureStrength(const std::vector<Corner>& found, const Gre
     float scores = 0, squares = 0;
   };
   std::vector<Sums> sums(static_cast<size_t>(columns.count * rows.count));
-  cells_.clear();
-  for (const Corner& corner : found) {
-    const int cell = (corner.y - border) / rows.size * columns.count + (corner.x - border) / columns.size;
-    cells_.push_back(static_cast<uint32_t>(cell));
-    Sums& sum = sums[static_cast<size_t>(cell)];
-    sum.scores += static_cast<float>(corner.score);
-    sum.squares += static_cast<float>(corner.score * corner.score);
+  FindCells(found, level, border);
+  for (size_t i = 0; i < found.size(); ++i) {
+    Sums& sum = sums[cells_[i]];
+    sum.scores += static_cast<float>(found[i].score);
+    sum.squares += static_cast<float>(found[i].score * found[i].score);
   }
   // The mean score of a cell and its eight neighbours, each corner weighted by its score: the weak ones, which come and
   // go with the light, hardly count.
@@ -146,19 +156,22 @@ void CornerDetector::ChooseByStrength(const std::vector<Corner>& found, const Gr
       std::min(found.size(), static_cast<size_t>(static_cast<double>(enough) * std::max(1.0, options.choice)));
   std::nth_element(ranks_.begin(), ranks_.begin() + static_cast<ptrdiff_t>(asked), ranks_.end(), std::greater<>());
   ranks_.resize(asked);
-  std::sort(ranks_.begin(), ranks_.end(), std::greater<>());
   const Thresholds thresholds(options);
   classes_.assign(found.size(), Class::kNoise);
-  rest_.clear();
+  size_t num_chosen = 0;
+  refused_.clear();
   for (const uint64_t rank : ranks_) {
     const uint32_t i = UINT32_MAX - static_cast<uint32_t>(rank);
     const bool passes =
         thresholds.PassesSecond(found[i].score, TrimmedRingSum(level, found[i].x, found[i].y, instructions));
     if (passes) classes_[i] = Class::kChosen;
-    if (!passes) rest_.push_back(i);
+    num_chosen += passes;
+    if (!passes) refused_.push_back(rank);
   }
-  const size_t chosen = ranks_.size() - rest_.size();
-  for (size_t k = 0; k < rest_.size() && chosen + k < enough; ++k) classes_[rest_[k]] = Class::kChosen;
+  if (num_chosen >= enough) return;
+  std::sort(refused_.begin(), refused_.end(), std::greater<>());
+  refused_.resize(std::min(refused_.size(), enough - num_chosen));
+  for (const uint64_t rank : refused_) classes_[UINT32_MAX - static_cast<uint32_t>(rank)] = Class::kChosen;
 }
 
 /// Those that are chosen, ranked by `strength_`.

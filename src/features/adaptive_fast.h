@@ -48,6 +48,7 @@ class CornerDetector {
 
   void Classify(const std::vector<Corner>& found, const GreyView& level, const CornerOptions& options,
                 Instructions instructions);
+  void FindCells(const std::vector<Corner>& found, const GreyView& level, int border);
   size_t ChooseByCells(const std::vector<Corner>& found, const GreyView& level, int border);
   void ChooseStrongest(const std::vector<Corner>& found, size_t count);
   void MeasureStrength(const std::vector<Corner>& found, const GreyView& level, int border);
@@ -61,6 +62,7 @@ class CornerDetector {
   std::vector<uint32_t> column_cells_;  ///< of each x
   std::vector<uint8_t> has_first_;      ///< whether the first threshold finds anything in a cell
   std::vector<float> strength_;         ///< of each corner of the score map, beside its neighbourhood
+  std::vector<uint64_t> refused_;       ///< ranks of the strongest that do not pass the second threshold
   std::vector<uint64_t> ranks_;         ///< strength and index of a corner in one number: the stronger the larger
   std::vector<uint32_t> rest_;          ///< indices of corners that are not chosen
   std::vector<Corner> usable_;          ///< of the score map, where not all may be used

@@ -19,14 +19,9 @@ float Top(int before, int here, int after) {
 
 }  // namespace
 
-Corner Refined(const GreyView& level, Corner corner, int arc, Instructions instructions) {
-  uint8_t scores[3][fast::kBlock];
-  for (int i = 0; i < 3; ++i) {
-    const fast::RowTask task{level.Row(corner.y - 1 + i) + corner.x - 1, level.stride, 0, 3, 0, arc};
-    (instructions == Instructions::kAvx2 ? fast::ScoreRowAvx2 : fast::ScoreRowPortable)(task, scores[i]);
-  }
-  corner.dx = Top(scores[1][0], scores[1][1], scores[1][2]);
-  corner.dy = Top(scores[0][1], scores[1][1], scores[2][1]);
+Corner Refined(Corner corner) {
+  corner.dx = Top(corner.beside.left, corner.score, corner.beside.right);
+  corner.dy = Top(corner.beside.above, corner.score, corner.beside.below);
   return corner;
 }
 
@@ -46,8 +41,11 @@ void Fast::TakePeaks(const GreyView& level, int y, const FastOptions& options, I
   const fast::ThreeRows rows{rows_[(y - 1) % 3].data(), rows_[y % 3].data(), rows_[(y + 1) % 3].data()};
   const auto find = instructions == Instructions::kAvx2 ? fast::PeaksAvx2 : fast::PeaksPortable;
   const size_t count = find(rows, options.border, level.width - options.border, peaks_.data());
-  for (size_t i = 0; i < count; ++i)
-    corners_.push_back({static_cast<int>(peaks_[i]), y, rows.here[peaks_[i]], 0.f, 0.f, 0.f});
+  for (size_t i = 0; i < count; ++i) {
+    const uint32_t x = peaks_[i];
+    const NeighbourScores beside{rows.here[x - 1], rows.here[x + 1], rows.above[x], rows.below[x]};
+    corners_.push_back({static_cast<int>(x), y, rows.here[x], 0.f, 0.f, 0.f, beside});
+  }
 }
 
 const std::vector<Corner>& Fast::Detect(const GreyView& level, const FastOptions& options, Instructions instructions) {

@@ -9,12 +9,18 @@
 
 namespace yorb {
 
+/// The scores beside a corner; 0 where they are below the threshold.
+struct NeighbourScores {
+  uint8_t left = 0, right = 0, above = 0, below = 0;
+};
+
 /// A FAST corner of one pyramid level.
 struct Corner {
   int x = 0, y = 0;      ///< pixels of the level
   int score = 0;         ///< the largest threshold in grey levels at which the pixel is still a corner
   float response = 0;    ///< what corners are ranked by; the detector sets it
   float dx = 0, dy = 0;  ///< where within the pixel, -0.5 to 0.5, if refined
+  NeighbourScores beside;
 };
 
 /// What FAST looks for.
@@ -42,7 +48,7 @@ class Fast {
 };
 
 /// `corner` with dx and dy: the top of the parabolas through its score and those of its neighbours along x and y.
-Corner Refined(const GreyView& level, Corner corner, int arc, Instructions instructions);
+Corner Refined(Corner corner);
 
 /// The sum of the 16 ring pixels without the brightest and the darkest: 14 times the trimmed mean of equation (3).
 int TrimmedRingSum(const GreyView& level, int x, int y, Instructions instructions);

@@ -85,7 +85,7 @@ struct OrbExtractor::Scratch {
     const GreyView& level = pyramid.Level(octave);
     const GreyView blurred = blur.Apply(level, instructions);
     for (Corner corner : corners) {
-      if (options.subpixel) corner = Refined(level, corner, options.fast_arc, instructions);
+      if (options.subpixel) corner = Refined(corner);
       Keypoint keypoint = PlaceOf(corner, octave);
       keypoint.angle_rad = OrientationOf(level, corner.x, corner.y, instructions);
       keypoint.response = corner.response;
