@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection/motion_category.h"
 
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "core/installed.h"
 #include "core/text.h"
 #include "detection/class_names.h"
 
@@ -75,6 +77,14 @@ Result<MotionTable> ReadMotionTable(const std::string& path) {
     table.Set(name, *motion);
   }
   return table;
+}
+
+Result<MotionTable> InstalledMotionTable() {
+  const auto folder = InstalledFolder("models");
+  const std::filesystem::path path = std::filesystem::path(folder.value_or("models")) / "classes.txt";
+  std::error_code ignored;
+  if (!folder || !std::filesystem::exists(path, ignored)) return MotionTable::Default();
+  return ReadMotionTable(path.string());
 }
 
 }  // namespace yorb

@@ -39,4 +39,7 @@ class MotionTable {
 /// "6 chair low" (models/classes.txt is one). Bad input names file and line.
 Result<MotionTable> ReadMotionTable(const std::string& path);
 
+/// The table of models/classes.txt of this installation, which users may edit; the built-in one where it is not there.
+Result<MotionTable> InstalledMotionTable();
+
 }  // namespace yorb

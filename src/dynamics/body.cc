@@ -64,9 +64,8 @@ Histogram Around(const BodySearch& search, const Box& box) {
       if (row >= inner.top && row < inner.bottom && column == inner.left) column = inner.right;
       if (column >= outer.right) break;
       const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
-      const bool is_in_box = std::any_of(search.bodies.begin(), search.bodies.end(), [&](const Box& other) {
-        return x >= other.left && x < other.right && y >= other.top && y < other.bottom;
-      });
+      const bool is_in_box =
+          std::any_of(search.bodies.begin(), search.bodies.end(), [&](const Box& other) { return Holds(other, x, y); });
       const float metres = search.depth.At(column, row);
       if (metres > 0 && !is_in_box) counts[BinOf(metres)] += 1;
     }
@@ -99,42 +98,6 @@ bool IsOn(const BodyPlane& body, int column, int row, float metres) {
   const float off = metres - body.DepthAt(column, row);
   const float noise = 0.01f * metres * metres;
   return metres > 0 && off > -(kFrontM + noise) && off < kBackM + noise;
-}
-
-/// The plane through what lies at about its depth in a box, starting with one that faces the camera: each turn takes in
-/// what lies near the plane of the turn before, so that it follows the body up and down.
-BodyPlane FitPlane(const BodySearch& search, const CellRange& range, float metres) {
-  constexpr int kTurns = 8, kStep = 2;
-  constexpr float kStiffness = 2e-4f;  // of the tilt, a share of the cells
-  BodyPlane body;
-  body.inverse_depth = {1 / metres, 0, 0};
-  const Eigen::Vector2f middle(0.5f * static_cast<float>(range.left + range.right - 1),
-                               0.5f * static_cast<float>(range.top + range.bottom - 1));
-  const Eigen::Vector2f half(0.5f * static_cast<float>(range.right - range.left),
-                             0.5f * static_cast<float>(range.bottom - range.top));
-  for (int turn = 0; turn < kTurns; ++turn) {
-    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-    Eigen::Vector3f products = Eigen::Vector3f::Zero();
-    for (int row = range.top; row < range.bottom; row += kStep) {
-      for (int column = range.left; column < range.right; column += kStep) {
-        const float depth = search.depth.At(column, row);
-        if (search.taken[search.depth.IndexOf(column, row)] != 0 || !IsOn(body, column, row, depth)) continue;
-        const float x = (static_cast<float>(column) - middle.x()) / half.x();
-        const Eigen::Vector3f place(1, x, (static_cast<float>(row) - middle.y()) / half.y());
-        const float weight = 1.2f - x * x;
-        squares += weight * place * place.transpose();
-        products += weight / depth * place;
-      }
-    }
-    const float stiffness = kStiffness * squares(0, 0) + 1e-6f;
-    squares(1, 1) += stiffness, squares(2, 2) += stiffness;
-    if (squares(0, 0) < 1) break;
-    const Eigen::Vector3f plane = squares.ldlt().solve(products);
-    body.inverse_depth = {plane[0] - plane[1] * middle.x() / half.x() - plane[2] * middle.y() / half.y(),
-                          plane[1] / half.x(), plane[2] / half.y()};
-  }
-  body.metres = body.DepthAt((range.left + range.right) / 2, (range.top + range.bottom) / 2);
-  return body;
 }
 
 /// Marks what hangs together with the cells of `edge` at the body's depth, within `range`.
@@ -172,7 +135,7 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
 
 }  // namespace
 
-std::optional<BodyPlane> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres) {
+std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres) {
   if (search.depth.empty()) return std::nullopt;
   const CellRange range = search.depth.RangeOf(box);
   const Histogram inside = Inside(search, range), around = Around(search, box);
@@ -188,9 +151,45 @@ std::optional<BodyPlane> FindBody(const BodySearch& search, const Box& box, std:
   }
   const auto first = excess.begin() + best;
   const auto peak = std::max_element(first, first + kWindowBins);
-  BodyPlane body = FitPlane(search, range, DepthOf(static_cast<int>(peak - excess.begin())));
-  body.score = Sum(excess, best, best + kWindowBins);
-  body.num_cells = body.score * num_measured;
+  BodySign sign;
+  sign.metres = DepthOf(static_cast<int>(peak - excess.begin()));
+  sign.score = Sum(excess, best, best + kWindowBins);
+  sign.num_cells = sign.score * num_measured;
+  return sign;
+}
+
+BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign) {
+  const CellRange range = search.depth.RangeOf(box);
+  constexpr int kTurns = 8, kStep = 2;
+  constexpr float kStiffness = 2e-4f;  // of the tilt, a share of the cells
+  BodyPlane body;
+  body.inverse_depth = {1 / sign.metres, 0, 0};
+  const Eigen::Vector2f middle(0.5f * static_cast<float>(range.left + range.right - 1),
+                               0.5f * static_cast<float>(range.top + range.bottom - 1));
+  const Eigen::Vector2f half(0.5f * static_cast<float>(range.right - range.left),
+                             0.5f * static_cast<float>(range.bottom - range.top));
+  for (int turn = 0; turn < kTurns; ++turn) {
+    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
+    Eigen::Vector3f products = Eigen::Vector3f::Zero();
+    for (int row = range.top; row < range.bottom; row += kStep) {
+      for (int column = range.left; column < range.right; column += kStep) {
+        const float depth = search.depth.At(column, row);
+        if (search.taken[search.depth.IndexOf(column, row)] != 0 || !IsOn(body, column, row, depth)) continue;
+        const float x = (static_cast<float>(column) - middle.x()) / half.x();
+        const Eigen::Vector3f place(1, x, (static_cast<float>(row) - middle.y()) / half.y());
+        const float weight = 1.2f - x * x;
+        squares += weight * place * place.transpose();
+        products += weight / depth * place;
+      }
+    }
+    const float stiffness = kStiffness * squares(0, 0) + 1e-6f;
+    squares(1, 1) += stiffness, squares(2, 2) += stiffness;
+    if (squares(0, 0) < 1) break;
+    const Eigen::Vector3f plane = squares.ldlt().solve(products);
+    body.inverse_depth = {plane[0] - plane[1] * middle.x() / half.x() - plane[2] * middle.y() / half.y(),
+                          plane[1] / half.x(), plane[2] / half.y()};
+  }
+  body.metres = body.DepthAt((range.left + range.right) / 2, (range.top + range.bottom) / 2);
   return body;
 }
 

@@ -13,13 +13,18 @@ namespace yorb {
 /// Which cells of a depth picture belong to something that moves: not 0.
 using CellMask = std::vector<uint8_t>;
 
+/// What speaks for a body in a box.
+struct BodySign {
+  float metres = 0;     ///< its densest depth
+  float score = 0;      ///< how much more of the box than of its surroundings lies near it, 0 to 1
+  float num_cells = 0;  ///< the same as a number of cells
+};
+
 /// Where the body in a box is: a plane, whose inverse depth is an affine function of the place in the picture. Who
 /// stands upright before a camera that looks down is nearer at the head than at the feet.
 struct BodyPlane {
   Eigen::Vector3f inverse_depth = Eigen::Vector3f::Zero();  ///< 1/m: at column 0 and row 0; for each column; each row
   float metres = 0;                                         ///< depth in the middle of the box
-  float score = 0;      ///< how much more of the box than of its surroundings lies at its depth, 0 to 1
-  float num_cells = 0;  ///< the same as a number of cells
 
   /// Metres; infinite or negative where the plane is not seen.
   float DepthAt(int column, int row) const {
@@ -34,10 +39,14 @@ struct BodySearch {
   const std::vector<Box>& bodies;  ///< all boxes with bodies: within them there are no surroundings
 };
 
-/// The body in a box: what fills the middle of the box and, unlike the wall behind and the desk in front,
+/// Looks for the body in a box: what fills the middle of the box and, unlike the wall behind and the desk in front,
 /// does not go on outside of it. `last_metres`: where it was in the picture before, if it was seen there. Nothing where
 /// too little was measured.
-std::optional<BodyPlane> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres);
+std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres);
+
+/// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of
+/// the turn before, so that it follows the body up and down.
+BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign);
 
 /// Marks in `mask` (a value for each cell) the body at `body`: what lies near its plane in the box, and what hangs
 /// together with that in the box grown by a tenth, since boxes are not exact. Cells of the box where nothing was

@@ -14,14 +14,6 @@ constexpr double kBridgeS = 0.5;        // how long a detector may miss what it 
 constexpr double kUnlookedS = 1.0;      // the same while nobody looks: boxes of a slow detector
 constexpr double kSmoothing = 0.5;      // of velocities
 
-double IoU(const Box& a, const Box& b) {
-  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
-  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  if (width <= 0 || height <= 0) return 0;
-  const double both = width * height;
-  return both / (a.width() * a.height() + b.width() * b.height() - both);
-}
-
 /// `box` after `seconds` of the track's motion.
 Box Moved(Box box, const BoxTrack& track, double seconds) {
   box.left += track.x_per_s * seconds, box.right += track.x_per_s * seconds;

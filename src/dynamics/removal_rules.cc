@@ -8,9 +8,8 @@ namespace yorb {
 namespace {
 
 /// Pixels are squares around whole coordinates; a box holds the pixels whose centres it covers.
-bool Holds(const Box& box, const Keypoint& point) {
-  const double x = static_cast<double>(point.x) + 0.5, y = static_cast<double>(point.y) + 0.5;
-  return x >= box.left && x < box.right && y >= box.top && y < box.bottom;
+bool HoldsPixel(const Box& box, const Keypoint& point) {
+  return Holds(box, static_cast<double>(point.x) + 0.5, static_cast<double>(point.y) + 0.5);
 }
 
 }  // namespace
@@ -49,7 +48,7 @@ BoxRules::BoxRules(const std::vector<SortedBox>& boxes) {
 
 Verdict BoxRules::Judge(const Keypoint& point) const {
   const auto is_in = [&](const std::vector<Box>& boxes) {
-    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return Holds(box, point); });
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return HoldsPixel(box, point); });
   };
   return (is_in(high_) && !is_in(still_)) || is_in(carried_) ? Verdict::kDynamic : Verdict::kStatic;
 }

@@ -29,10 +29,10 @@ CellMask WithAllOf(CellMask mask, const DepthCells& depth, const Box& box) {
 }
 
 /// Whether a body stands out; one that the detector did not see just now must be where it was.
-bool IsBelievable(const BoxTrack& track, const BodyPlane& body, Timestamp now) {
-  if (!track.IsBridged(now)) return body.score >= kLeastScore;
+bool IsBelievable(const BoxTrack& track, float score, const BodyPlane& body, Timestamp now) {
+  if (!track.IsBridged(now)) return score >= kLeastScore;
   const bool is_there = track.depth_m && std::abs(body.metres - *track.depth_m) < kBridgedM;
-  return is_there && body.score >= kLeastScoreBridged;
+  return is_there && score >= kLeastScoreBridged;
 }
 
 /// How much of a box is known as the body of others.
@@ -46,15 +46,15 @@ double ShareTaken(const CellMask& mask, const CellRange& range, const DepthCells
 
 /// Takes the body that explains most, of those that the detector saw if there is one, out of what is open.
 BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Timestamp now,
-                   std::optional<BodyPlane>& body) {
+                   std::optional<BodySign>& sign) {
   size_t best = 0;
   bool is_best_bridged = true;
   for (size_t i = 0; i < open.size(); ++i) {
     const auto found = FindBody(search, open[i]->at.box, open[i]->depth_m);
     const bool is_bridged = open[i]->IsBridged(now);
-    if (!found || (body && is_bridged && !is_best_bridged)) continue;
-    if (body && is_bridged == is_best_bridged && found->num_cells <= body->num_cells) continue;
-    best = i, body = found, is_best_bridged = is_bridged;
+    if (!found || (sign && is_bridged && !is_best_bridged)) continue;
+    if (sign && is_bridged == is_best_bridged && found->num_cells <= sign->num_cells) continue;
+    best = i, sign = found, is_best_bridged = is_bridged;
   }
   std::swap(open[best], open.back());
   BoxTrack& track = *open.back();
@@ -74,9 +74,12 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ti
   }
   CellMask mask(depth.IndexOf(0, depth.rows()), 0);
   while (!open.empty()) {
+    const BodySearch search{depth, mask, boxes};
+    std::optional<BodySign> sign;
+    BoxTrack& track = TakeNext(open, search, now, sign);
     std::optional<BodyPlane> body;
-    BoxTrack& track = TakeNext(open, {depth, mask, boxes}, now, body);
-    if (body && IsBelievable(track, *body, now)) {
+    if (sign) body = FitBody(search, track.at.box, *sign);
+    if (body && IsBelievable(track, sign->score, *body, now)) {
       mask = WithBody(std::move(mask), depth, track.at.box, *body);
       track.depth_m = body->metres;
     } else if (!track.IsBridged(now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {

@@ -10,7 +10,6 @@
 
 #include "core/text.h"
 #include "detection/class_names.h"
-#include "evaluation/detection_map.h"
 #include "runs/picture_source.h"
 
 namespace yorb {
@@ -18,16 +17,12 @@ namespace {
 
 constexpr double kLeastOverlap = 0.5;
 
-double OverlapOf(const Box& a, const Box& b) {
-  return Overlap({0, 1, a.left, a.top, a.right, a.bottom}, {0, 1, b.left, b.top, b.right, b.bottom});
-}
-
 /// The person that a box lies on and that no stronger box has taken; nothing where there is none.
 int BestFree(const Box& box, const std::vector<TruePerson>& people, const std::vector<bool>& is_taken) {
   int best = -1;
   double most = kLeastOverlap;
   for (size_t i = 0; i < people.size(); ++i) {
-    const double overlap = is_taken[i] ? 0 : OverlapOf(box, people[i].box);
+    const double overlap = is_taken[i] ? 0 : IoU(box, people[i].box);
     if (overlap < most) continue;
     most = overlap;
     best = static_cast<int>(i);

@@ -12,8 +12,8 @@
 #include "core/log.h"
 #include "detection/box_file.h"
 #include "detection/file_detector.h"
+#include "detection/motion_category.h"
 #include "detection/yolo_detector.h"
-#include "runs/feed.h"
 
 namespace yorb {
 namespace {
@@ -67,6 +67,9 @@ Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
   if (config.dynamics == "exact" && config.detections.empty()) {
     return BadInput("--dynamics exact needs boxes: name their file with --detections");
   }
+  auto motions = InstalledMotionTable();
+  if (!motions) return motions.error();
+  parts.slam.motions = *std::move(motions);
   const Status taken = config.detections.empty() ? TakeNetwork(config, parts) : TakeFile(config, dataset, parts);
   if (!taken) return taken.error();
   return parts;
