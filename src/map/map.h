@@ -12,8 +12,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/result.h"
 #include "map/keyframe.h"
 #include "map/landmark.h"
+#include "map/map_parts.h"
 #include "map/paged_table.h"
 
 namespace yorb {
@@ -55,8 +57,20 @@ class Map {
   size_t num_landmarks() const { return landmarks_.size(); }
   KeyframeId newest_keyframe() const { return newest_keyframe_; }
 
+  /// The ids that the next ones will have, and what is known of the keyframes that are not there any more.
+  KeyframeId next_keyframe() const { return keyframes_.next_id(); }
+  LandmarkId next_landmark() const { return landmarks_.next_id(); }
+  std::vector<RemovedKeyframe> RemovedKeyframes() const;
+
   /// The first broken invariant in words, empty when all hold. Slow: for tests.
   std::string Check() const;
+
+  // ---- beginning --------------------------------------------------------------------------------------------------
+  /// The map of these parts. Bad input, in words, where they do not make one.
+  static Result<Map> FromParts(MapParts parts);
+
+  /// A map of one's own to go on from a snapshot, which never changes.
+  static Map Continuing(const Map& snapshot);
 
   // ---- writing, by the mapper -------------------------------------------------------------------------------------
   /// What others read from now on; this map goes on.
@@ -112,6 +126,10 @@ class Map {
   void Link(KeyframeId a, KeyframeId b, int change);
   void AdoptChildren(const Keyframe& leaving);
   void SetParent(KeyframeId child, KeyframeId parent);
+  Status TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId next);
+  Status TakeRemoved(const std::vector<RemovedKeyframe>& removed);
+  Status TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId next);
+  Status LinkViews();
 
   PagedTable<Keyframe> keyframes_;
   PagedTable<Landmark> landmarks_;
