@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "map/map.h"
@@ -29,7 +30,8 @@ struct MappingTimes {
 
 class Mapper {
  public:
-  explicit Mapper(const MappingOptions& options) : options_(options) {}
+  /// `start`: the map to go on from.
+  explicit Mapper(const MappingOptions& options, Map start = {}) : options_(options), map_(std::move(start)) {}
 
   /// Takes a proposal in. `Snapshot()` then shows what came of it.
   MappingTimes Handle(const Proposal& proposal, const MapperHooks& hooks);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "system/frame_log.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace yorb {
@@ -45,6 +46,9 @@ SlamReport FrameLog::Report(const Map& map) const {
     keyframe_poses[keyframe.frame->id] = keyframe.cam_from_world;
     report.keyframes.push_back({keyframe.frame->timestamp, keyframe.cam_from_world.Inverse()});
   });
+  // Those of a map that was loaded may be of any time.
+  std::stable_sort(report.keyframes.begin(), report.keyframes.end(),
+                   [](const StampedPose& a, const StampedPose& b) { return a.timestamp < b.timestamp; });
   for (const FrameRecord& record : report.frames) {
     if (record.state != TrackingState::kTracking) continue;
     const auto own = keyframe_poses.find(record.id);

@@ -24,9 +24,9 @@ Fix Extend(const Frame& frame, const Map& map, const Fix& coarse, const Keyframe
   return FixWithExpected(frame, map, coarse, expected);
 }
 
-/// The newest keyframes, and a few of the older ones in turn, so that every place is asked about within some frames.
+/// The newest keyframes, and many of the older ones in turn, so that every place is asked about within some frames.
 std::vector<KeyframeId> Candidates(const Map& map, FrameId frame) {
-  constexpr size_t kNewest = 8, kOlder = 4;
+  constexpr size_t kNewest = 8, kOlder = 200;
   std::vector<KeyframeId> all;
   map.VisitKeyframes([&](const Keyframe& keyframe) { all.push_back(keyframe.id); });
   std::reverse(all.begin(), all.end());

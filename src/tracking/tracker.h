@@ -22,9 +22,19 @@ struct Tracked {
   std::optional<Proposal> proposal;
 };
 
+/// What a tracker is to do with the map.
+struct TrackerTask {
+  bool has_map = false;       ///< there is one already, in which the camera is sought; otherwise one is begun
+  bool only_locates = false;  ///< nothing is proposed, and only landmarks of the map confirm a pose
+};
+
 class Tracker {
  public:
-  Tracker(const TrackingOptions& options, int64_t seed) : options_(options), seed_(seed) {}
+  Tracker(const TrackingOptions& options, int64_t seed, const TrackerTask& task = {})
+      : options_(options),
+        seed_(seed),
+        task_(task),
+        state_(task.has_map ? TrackingState::kLost : TrackingState::kNotInitialized) {}
 
   /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off.
   Tracked Track(const FramePtr& frame, const Map& map, size_t backlog);
@@ -32,7 +42,7 @@ class Tracker {
  private:
   /// The newest frame whose pose was confirmed.
   struct Confirmed {
-    FramePtr frame;
+    FramePtr frame;  ///< null: there was none yet
     KeyframeId reference;
     Rigid3 cam_from_reference;
     std::vector<LandmarkId> matches;
@@ -55,6 +65,7 @@ class Tracker {
   std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map) const;
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
   bool IsConfirmed(const Frame& frame, const Fix& fix) const;
+  bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
@@ -66,7 +77,8 @@ class Tracker {
 
   TrackingOptions options_;
   int64_t seed_;
-  TrackingState state_ = TrackingState::kNotInitialized;
+  TrackerTask task_;
+  TrackingState state_;
   Confirmed last_;
   MotionModel motion_;
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
