@@ -22,8 +22,10 @@ struct Keyframe {
   Rigid3 cam_from_world;
   std::vector<LandmarkId> landmarks;  ///< a row a keypoint of the frame; not valid where nothing is known of it
   std::vector<Neighbour> neighbours;  ///< by ascending id; always the true counts
-  KeyframeId parent;                  ///< in the spanning tree; not valid for the first keyframe
+  KeyframeId root;                    ///< the first keyframe of its sub-map, in whose world all its poses are
+  KeyframeId parent;                  ///< in the spanning tree; not valid for the root
   std::vector<KeyframeId> children;
+  std::vector<KeyframeId> loops;  ///< keyframes that were found to show the same place when a loop was closed
 
   /// The neighbours that share at least `min_weight` landmarks, the strongest first, `count` at most.
   std::vector<KeyframeId> Strongest(size_t count, int min_weight) const;

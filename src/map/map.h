@@ -23,6 +23,9 @@ using MapSnapshot = std::shared_ptr<const Map>;
 
 /// Keyframes, landmarks, who sees whom, and the spanning tree. Ids are never used again: "is bad" becomes "is not
 /// there". Each writing method keeps both ends of a link.
+///
+/// A map consists of sub-maps, each with a tree and a world of its own: one begins where nothing was known any more. No
+/// landmark is seen from two of them. They become one when it turns out how they lie to each other.
 class Map {
  public:
   // ---- reading, on any thread -------------------------------------------------------------------------------------
@@ -55,6 +58,12 @@ class Map {
   size_t num_landmarks() const { return landmarks_.size(); }
   KeyframeId newest_keyframe() const { return newest_keyframe_; }
 
+  /// The id that the next keyframe will have.
+  KeyframeId next_keyframe() const { return keyframes_.next_id(); }
+
+  /// Loops that were closed.
+  size_t num_loops() const { return num_loops_; }
+
   /// The first broken invariant in words, empty when all hold. Slow: for tests.
   std::string Check() const;
 
@@ -62,6 +71,7 @@ class Map {
   /// What others read from now on; this map goes on.
   MapSnapshot Snapshot();
 
+  /// Without a parent, a new sub-map begins with it.
   KeyframeId AddKeyframe(FramePtr frame, const Rigid3& cam_from_world, KeyframeId parent);
 
   /// A new landmark, seen first at `index` of `keyframe`.
@@ -78,11 +88,18 @@ class Map {
 
   void Remove(LandmarkId id);
 
-  /// Its views go, its children find a new parent, its pose stays answerable. Not for the first keyframe.
+  /// Its views go, its children find a new parent, its pose stays answerable. Not for a root.
   void Remove(KeyframeId id);
 
   void SetPose(KeyframeId id, const Rigid3& cam_from_world) { keyframes_.Writable(id).cam_from_world = cam_from_world; }
   void SetPosition(LandmarkId id, const Eigen::Vector3d& x_in_world) { landmarks_.Writable(id).position = x_in_world; }
+
+  /// Two keyframes of one sub-map show the same place, as has turned out: remembered, and counted as a loop.
+  void AddLoop(KeyframeId a, KeyframeId b);
+
+  /// The sub-map of `joining` becomes part of that of `into`, below which it hangs from now on. Its poses and positions
+  /// must be given in the other world before, or right after.
+  void Join(KeyframeId joining, KeyframeId into);
 
   /// Computes direction and distances of a landmark anew from its views.
   void RefreshGeometry(LandmarkId id);
@@ -112,6 +129,8 @@ class Map {
   void Link(KeyframeId a, KeyframeId b, int change);
   void AdoptChildren(const Keyframe& leaving);
   void SetParent(KeyframeId child, KeyframeId parent);
+  void DropChild(KeyframeId parent, KeyframeId child);
+  bool IsAbove(KeyframeId above, KeyframeId id) const;
 
   PagedTable<Keyframe> keyframes_;
   PagedTable<Landmark> landmarks_;
@@ -119,6 +138,7 @@ class Map {
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;
   std::deque<MergeRecord> merges_;  ///< in the order of time; the writer's alone
   KeyframeId newest_keyframe_;
+  size_t num_loops_ = 0;
 };
 
 }  // namespace yorb

@@ -188,8 +188,9 @@ Pipeline::Extracted Pipeline::Extract(const ImageSet& images) {
 
 std::optional<Proposal> Pipeline::Track(const Extracted& extracted) {
   const Stopwatch watch;
+  const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
   const MapSnapshot map = view_.Get();
-  Tracked tracked = tracker_.Track(extracted.frame, *map, num_pending_);
+  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog);
   log_.Add(Joined(extracted.record, tracked.record, watch.ms()));
   return std::move(tracked.proposal);
 }

@@ -26,15 +26,23 @@ class Map;
 class Pipeline;
 using MapSnapshot = std::shared_ptr<const Map>;
 
+/// A part of the map with a world of its own.
+struct SubmapReport {
+  Trajectory trajectory;  ///< confirmed frames, world_from_cam by the newest map
+  Trajectory keyframes;
+};
+
 /// What a run has come to so far.
 struct SlamReport {
   std::vector<FrameRecord> frames;  ///< in the order of time, one a pushed picture that was not dropped
   std::map<std::string, std::vector<double>>
-      stage_ms;           ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
-  Trajectory trajectory;  ///< confirmed frames, world_from_cam by the newest map
-  Trajectory keyframes;
-  size_t num_landmarks = 0;
-  size_t num_loops = 0;
+      stage_ms;                       ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
+  std::vector<SubmapReport> submaps;  ///< the one with most frames first; never empty
+  size_t num_keyframes = 0, num_landmarks = 0, num_loops = 0;
+
+  /// Of the sub-map with most frames.
+  const Trajectory& trajectory() const { return submaps.front().trajectory; }
+  const Trajectory& keyframes() const { return submaps.front().keyframes; }
 };
 
 /// What was decided about the points of one picture.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "map/map.h"
-#include "tracking/fix.h"
+#include "localize/fix.h"
 #include "tracking/tracking_options.h"
 
 namespace yorb {

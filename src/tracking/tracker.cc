@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "tracking/keyframe_policy.h"
-#include "tracking/relocalizer.h"
+#include "localize/relocalizer.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -37,7 +37,7 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 }  // namespace
 
 Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
-  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame) : TrackInMap(frame, map, backlog);
+  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
@@ -46,18 +46,22 @@ Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
   return tracked;
 }
 
-Tracked Tracker::Begin(const FramePtr& frame) {
+Tracked Tracker::Begin(const FramePtr& frame, const Map& map) {
   Tracked tracked;
   const int num_points = CountPointsWithDepth(*frame);
   if (num_points < options_.min_first_points) return tracked;
-  // The map's first keyframe has the first id there is, and defines the world.
-  const KeyframeId first(0);
+  // This frame will be the next keyframe, since no other waits, and defines the world of its sub-map.
+  const KeyframeId first = map.next_keyframe();
   state_ = TrackingState::kTracking;
+  motion_.Forget();
   last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size())};
-  last_proposal_ = frame->timestamp;
+  was_lost_ = false;
+  sought_since_.reset();
   tracked.record.reference = first;
   tracked.record.num_matched = tracked.record.num_inliers = num_points;
   tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}};
+  last_proposal_ = frame->timestamp;
+  frames_since_proposal_ = 0;
   return tracked;
 }
 
@@ -69,7 +73,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   ++frames_since_proposal_;
   if (!located) {
     NoteLoss(*frame);
-    return tracked;
+    return IsTimeForANewMap(*frame, backlog) ? Begin(raw_frame, map) : tracked;
   }
   CountSeen(*located);
   Fix& fix = located->fix;
@@ -157,11 +161,13 @@ std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map
   const Keyframe* reference = map.Find(map.Surviving(last_.reference));
   if (!reference) return std::nullopt;
   Random random(static_cast<uint64_t>(seed_), frame.id.value());
-  return RelocalizeAgainst(frame, map, *reference, options_, kMinInliersOfGuess, random);
+  return RelocalizeAgainst(frame, map, *reference, {kMinInliersOfGuess, options_.relocalize_radius_px}, random);
 }
 
 std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) const {
-  return Relocalize(frame, map, options_, Random(static_cast<uint64_t>(seed_), frame.id.value()));
+  const RecognitionTerms terms{static_cast<size_t>(options_.min_inliers_after_loss), options_.relocalize_radius_px};
+  return Relocalize(frame, map, NewestAndSomeOlder(map, frame.id), terms,
+                    Random(static_cast<uint64_t>(seed_), frame.id.value()));
 }
 
 std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const {
@@ -211,6 +217,7 @@ void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
     lost_since_ = frame.timestamp;
   }
   state_ = TrackingState::kTracking;
+  sought_since_.reset();
 }
 
 void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& located) {
@@ -224,6 +231,13 @@ void Tracker::NoteLoss(const Frame& frame) {
   motion_.Forget();
   const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
   state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
+  const bool shows_something = CountPointsWithDepth(frame) >= options_.min_first_points;
+  if (shows_something && !sought_since_) sought_since_ = frame.timestamp;
+}
+
+bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
+  return state_ == TrackingState::kLost && backlog == 0 && sought_since_ &&
+         SecondsBetween(*sought_since_, frame.timestamp) >= options_.new_map_after_s;
 }
 
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {

@@ -9,8 +9,8 @@
 #include <unordered_map>
 
 #include "map/map.h"
-#include "tracking/fix.h"
-#include "tracking/local_map.h"
+#include "localize/fix.h"
+#include "localize/local_map.h"
 #include "tracking/motion_model.h"
 #include "tracking/tracking_options.h"
 
@@ -45,7 +45,7 @@ class Tracker {
     std::vector<LandmarkId> visible;  ///< landmarks that should be seen from there
   };
 
-  Tracked Begin(const FramePtr& frame);
+  Tracked Begin(const FramePtr& frame, const Map& map);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
   Tracked StandStill();
   std::optional<Located> FindPose(const Frame& frame, const Map& map) const;
@@ -59,6 +59,7 @@ class Tracker {
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
   void NoteLoss(const Frame& frame);
+  bool IsTimeForANewMap(const Frame& frame, size_t backlog) const;
   Proposal Propose(const FramePtr& frame, const Fix& fix);
   std::vector<KnownPoint> LandmarksOfLast(const Map& map) const;
   void AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const;
@@ -71,6 +72,7 @@ class Tracker {
   MotionModel motion_;
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
+  std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something
   int frames_since_proposal_ = 0;
   bool was_lost_ = false;
 };
