@@ -52,10 +52,11 @@ TEST(AdjustPoseGraph, BringsACircleWithADriftingGuessBackToTruth) {
   options.start_drift = 0.002;
   const CircleGraph circle = MakeCircle(options);
   EXPECT_GT(GreatestError(circle.graph.poses, circle.truth), 0.5);
-  const PoseGraphResult result = AdjustPoseGraph(circle.graph);
+  PoseGraphOptions few;
+  few.max_iterations = 5;
+  const PoseGraphResult result = AdjustPoseGraph(circle.graph, few);
   EXPECT_LT(GreatestError(result.poses, circle.truth), 1e-6);
   EXPECT_LT(result.final_cost, 1e-9 * result.initial_cost);
-  EXPECT_LT(result.iterations, 25);
 }
 
 TEST(AdjustPoseGraph, SpreadsTheDriftOfALoopOverItsEdges) {
