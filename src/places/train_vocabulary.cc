@@ -132,7 +132,7 @@ Result<VocabularyPtr> TrainVocabulary(const std::vector<std::vector<Descriptor>>
   if (!tree) return Failure("the training was stopped");
   if (tree->centres.size() < 3) return BadInput("the pictures show too little to learn from; take more of them");
   const auto words = std::count(tree->num_children.begin(), tree->num_children.end(), uint8_t{0});
-  tree->word_weights.assign(static_cast<size_t>(words), 0.f);
+  tree->word_weights.assign(static_cast<size_t>(words), 1.f);
   const auto unweighted = Vocabulary::Make(*tree);
   if (!unweighted) return unweighted.error();
   tree->word_weights = RarenessOf(**unweighted, pictures);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <utility>
 
@@ -55,9 +54,12 @@ Status CheckTree(const VocabularyTree& tree) {
     return BadInput("its nodes, centres and words do not make one tree");
   if (*std::max_element(counts.begin(), counts.end()) > tree.branching || DepthOf(counts) > tree.levels)
     return BadInput("its tree has more branches or levels than it says");
+  bool says_something = false;
   for (const float weight : tree.word_weights) {
     if (!std::isfinite(weight) || weight < 0) return BadInput("the weight of a word is negative or no number");
+    says_something = says_something || weight > 0;
   }
+  if (!says_something) return BadInput("all its words weigh nothing");
   return Status::Ok();
 }
 
