@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "features/frame.h"
 #include "map/event.h"
+#include "places/bag.h"
 
 namespace yorb {
 
@@ -25,6 +27,7 @@ struct Keyframe {
   KeyframeId root;                    ///< the first keyframe of its sub-map, in whose world all its poses are
   KeyframeId parent;                  ///< in the spanning tree; not valid for the root
   std::vector<KeyframeId> children;
+  std::shared_ptr<const Bag> bag;  ///< the words of its descriptors; null: not known
   std::vector<KeyframeId> loops;  ///< keyframes that were found to show the same place when a loop was closed
 
   /// The neighbours that share at least `min_weight` landmarks, the strongest first, `count` at most.

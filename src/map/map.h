@@ -92,6 +92,7 @@ class Map {
   void Remove(KeyframeId id);
 
   void SetPose(KeyframeId id, const Rigid3& cam_from_world) { keyframes_.Writable(id).cam_from_world = cam_from_world; }
+  void SetBag(KeyframeId id, std::shared_ptr<const Bag> bag) { keyframes_.Writable(id).bag = std::move(bag); }
   void SetPosition(LandmarkId id, const Eigen::Vector3d& x_in_world) { landmarks_.Writable(id).position = x_in_world; }
 
   /// Two keyframes of one sub-map show the same place, as has turned out: remembered, and counted as a loop.

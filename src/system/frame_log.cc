@@ -70,6 +70,11 @@ void FrameLog::Add(const MappingTimes& times) {
   stage_ms_["cull"].push_back(times.cull_ms);
 }
 
+void FrameLog::Add(const std::string& stage, double ms) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stage_ms_[stage].push_back(ms);
+}
+
 size_t FrameLog::num_frames() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return records_.size();

@@ -18,6 +18,7 @@ class FrameLog {
  public:
   void Add(const FrameRecord& record);
   void Add(const MappingTimes& times);
+  void Add(const std::string& stage, double ms);
 
   size_t num_frames() const;
 

@@ -106,21 +106,20 @@ Tracked Tracker::StandStill() {
   return tracked;
 }
 
-std::optional<Tracker::Located> Tracker::FindPose(const Frame& frame, const Map& map) const {
+std::optional<Tracker::Located> Tracker::FindPose(const Frame& frame, const Map& map) {
   using Way = std::optional<Fix> (Tracker::*)(const Frame&, const Map&) const;
   std::optional<Located> best;
-  const auto try_way = [&](Way way) {
-    const std::optional<Fix> coarse = (this->*way)(frame, map);
+  const auto take = [&](const std::optional<Fix>& coarse) {
     std::optional<Located> located = coarse ? TrackLocalMap(frame, map, *coarse) : std::nullopt;
     if (located && (!best || NumInliers(located->fix) > NumInliers(best->fix))) best = std::move(located);
     return best && IsConvincing(best->fix);
   };
   if (state_ != TrackingState::kLost) {
     for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
-      if (try_way(way)) return best;
+      if (take((this->*way)(frame, map))) return best;
     }
   }
-  if (!best) try_way(&Tracker::RelocalizeInMap);
+  if (!best) take(RelocalizeInMap(frame, map));
   return best;
 }
 
@@ -164,10 +163,16 @@ std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map
   return RelocalizeAgainst(frame, map, *reference, {kMinInliersOfGuess, options_.relocalize_radius_px}, random);
 }
 
-std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) const {
-  const RecognitionTerms terms{static_cast<size_t>(options_.min_inliers_after_loss), options_.relocalize_radius_px};
-  return Relocalize(frame, map, NewestAndSomeOlder(map, frame.id), terms,
-                    Random(static_cast<uint64_t>(seed_), frame.id.value()));
+std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) {
+  constexpr size_t kPlaces = 6;
+  constexpr double kMinShare = 0.2;
+  const RecognitionTerms terms{static_cast<size_t>(options_.min_inliers_after_loss), options_.relocalize_radius_px,
+                               kMinShare};
+  const Random random(static_cast<uint64_t>(seed_), frame.id.value());
+  if (!memory_.CanRecall()) return Relocalize(frame, map, NewestAndSomeOlder(map, frame.id), terms, random);
+  memory_.Follow(map);
+  const auto all = [](KeyframeId) { return true; };
+  return Relocalize(frame, map, memory_.Recall(map, memory_.Describe(frame), kPlaces, all), terms, random);
 }
 
 std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const {

@@ -11,6 +11,7 @@
 #include "map/map.h"
 #include "localize/fix.h"
 #include "localize/local_map.h"
+#include "localize/place_memory.h"
 #include "tracking/motion_model.h"
 #include "tracking/tracking_options.h"
 
@@ -24,7 +25,9 @@ struct Tracked {
 
 class Tracker {
  public:
-  Tracker(const TrackingOptions& options, int64_t seed) : options_(options), seed_(seed) {}
+  /// Without a vocabulary (null), a lost camera is sought among the newest keyframes and some of the older ones in turn.
+  Tracker(const TrackingOptions& options, int64_t seed, VocabularyPtr vocabulary = nullptr)
+      : options_(options), seed_(seed), memory_(std::move(vocabulary)) {}
 
   /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off.
   Tracked Track(const FramePtr& frame, const Map& map, size_t backlog);
@@ -48,11 +51,11 @@ class Tracker {
   Tracked Begin(const FramePtr& frame, const Map& map);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
   Tracked StandStill();
-  std::optional<Located> FindPose(const Frame& frame, const Map& map) const;
+  std::optional<Located> FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromLastByAppearance(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
-  std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map) const;
+  std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map);
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
   bool IsConfirmed(const Frame& frame, const Fix& fix) const;
   void CountSeen(const Located& located);
@@ -67,6 +70,7 @@ class Tracker {
 
   TrackingOptions options_;
   int64_t seed_;
+  PlaceMemory memory_;
   TrackingState state_ = TrackingState::kNotInitialized;
   Confirmed last_;
   MotionModel motion_;
