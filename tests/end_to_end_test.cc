@@ -53,21 +53,21 @@ INSTANTIATE_TEST_SUITE_P(Modes, EndToEnd, testing::Values("inline", "offline"));
 TEST_P(EndToEnd, EveryFrameIsTrackedAndTheTrajectoryIsTrue) {
   const SlamReport report = RunInMemory(TestConfig(GetParam()));
   EXPECT_EQ(report.frames.size(), size_t{kFrames});
-  EXPECT_EQ(report.trajectory.size(), size_t{kFrames});
-  EXPECT_GE(report.keyframes.size(), 1u);
+  EXPECT_EQ(report.trajectory().size(), size_t{kFrames});
+  EXPECT_GE(report.keyframes().size(), 1u);
   EXPECT_GT(report.num_landmarks, 100u);
-  EXPECT_LT(AteRmse(report.trajectory), 0.02);
+  EXPECT_LT(AteRmse(report.trajectory()), 0.02);
 }
 
 TEST(EndToEndLive, FramesThatCameAreTrackedAndTimeGoesOn) {
   const SlamReport report = RunInMemory(TestConfig("live"));
-  EXPECT_GE(report.trajectory.size(), 1u);  // a slow machine (or a sanitizer) may drop the rest
-  EXPECT_LE(report.trajectory.size(), report.frames.size());
-  for (size_t i = 1; i < report.trajectory.size(); ++i) {
-    EXPECT_LT(report.trajectory[i - 1].timestamp, report.trajectory[i].timestamp);
+  EXPECT_GE(report.trajectory().size(), 1u);  // a slow machine (or a sanitizer) may drop the rest
+  EXPECT_LE(report.trajectory().size(), report.frames.size());
+  for (size_t i = 1; i < report.trajectory().size(); ++i) {
+    EXPECT_LT(report.trajectory()[i - 1].timestamp, report.trajectory()[i].timestamp);
   }
-  if (report.trajectory.size() > 3) {
-    EXPECT_LT(AteRmse(report.trajectory), 0.03);
+  if (report.trajectory().size() > 3) {
+    EXPECT_LT(AteRmse(report.trajectory()), 0.03);
   }
 }
 
@@ -150,10 +150,10 @@ TEST_P(EndToEndDynamics, PointsInBoxesGoAndTheRestIsEnough) {
   EXPECT_FALSE(fed.error) << fed.error->message;
   const SlamReport report = (*slam)->Report();
   EXPECT_EQ(num_watched, report.frames.size());
-  ASSERT_GE(report.trajectory.size(), 1u);
+  ASSERT_GE(report.trajectory().size(), 1u);
   if (std::string(GetParam()) == "live") return;  // a slow machine drops frames and boxes
-  EXPECT_EQ(report.trajectory.size(), size_t{kFrames});
-  EXPECT_LT(AteRmse(report.trajectory), 0.02);
+  EXPECT_EQ(report.trajectory().size(), size_t{kFrames});
+  EXPECT_LT(AteRmse(report.trajectory()), 0.02);
   for (const FrameRecord& frame : report.frames) {
     EXPECT_EQ(frame.num_boxes, 1);
     EXPECT_GT(frame.num_removed, 0);

@@ -45,12 +45,12 @@ TEST_P(Golden, TheDeskIsTrackedThroughoutAndTrueToACentimetre) {
   const FeedLog fed = Feed(**dataset, config, **slam, {});
   ASSERT_FALSE(fed.error) << fed.error->message;
   const SlamReport report = (*slam)->Report();
-  EXPECT_EQ(report.trajectory.size(), size_t{kFrames});
+  EXPECT_EQ(report.trajectory().size(), size_t{kFrames});
   const auto truth = ReadTrajectoryFile(Recording() + "/groundtruth.txt");
   ASSERT_TRUE(truth.ok()) << truth.error().message;
-  const auto pairs = AssociateStamps(StampsOf(truth->poses), StampsOf(report.trajectory), 20000000);
+  const auto pairs = AssociateStamps(StampsOf(truth->poses), StampsOf(report.trajectory()), 20000000);
   ASSERT_GE(pairs.size(), size_t{kFrames * 9 / 10});
-  EXPECT_LT(ComputeAbsoluteError(truth->poses, report.trajectory, pairs, EvalAlign::kSe3).summary.rmse, 0.015);
+  EXPECT_LT(ComputeAbsoluteError(truth->poses, report.trajectory(), pairs, EvalAlign::kSe3).summary.rmse, 0.015);
 }
 
 }  // namespace

@@ -101,10 +101,10 @@ Result<std::optional<LightRun>> RunTask(const Dataset& dataset, const LightTask&
   if (fed.was_stopped) return std::optional<LightRun>();
 
   const SlamReport report = (*slam)->Report();
-  LightRun run{task.light, task.front_end.name, task.seed, {}, 0, AteOf(options.truth, report.trajectory), 0};
+  LightRun run{task.light, task.front_end.name, task.seed, {}, 0, AteOf(options.truth, report.trajectory()), 0};
   run.frames = FramesOf(FrameRows(dataset, fed.fates, report.frames), dataset.TimeOf(0), brightness);
   if (!run.frames.empty())
-    run.coverage = static_cast<double>(report.trajectory.size()) / static_cast<double>(run.frames.size());
+    run.coverage = static_cast<double>(report.trajectory().size()) / static_cast<double>(run.frames.size());
   run.wall_s = watch.seconds();
   return std::optional<LightRun>(std::move(run));
 }

@@ -92,7 +92,7 @@ Result<SpeedReport> MeasureSpeed(const Dataset& dataset, const Config& config,
   ran.stage_ms["read"] = fed.read_ms;
   SpeedReport report;
   report.frames = fed.fates.size();
-  report.tracked = ran.trajectory.size();
+  report.tracked = ran.trajectory().size();
   report.mode = config.mode;
   report.stages = StageTimes(ran.stage_ms);
   report.cv_orb = TimesOf("cv::ORB(1000)", orb_ms);

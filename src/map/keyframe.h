@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "features/frame.h"
 #include "map/event.h"
+#include "places/bag.h"
 
 namespace yorb {
 
@@ -22,8 +24,11 @@ struct Keyframe {
   Rigid3 cam_from_world;
   std::vector<LandmarkId> landmarks;  ///< a row a keypoint of the frame; not valid where nothing is known of it
   std::vector<Neighbour> neighbours;  ///< by ascending id; always the true counts
-  KeyframeId parent;                  ///< in the spanning tree; not valid for the first keyframe
+  KeyframeId root;                    ///< the first keyframe of its sub-map, in whose world all its poses are
+  KeyframeId parent;                  ///< in the spanning tree; not valid for the root
   std::vector<KeyframeId> children;
+  std::shared_ptr<const Bag> bag;  ///< the words of its descriptors; null: not known
+  std::vector<KeyframeId> loops;   ///< keyframes that were found to show the same place when a loop was closed
 
   /// The neighbours that share at least `min_weight` landmarks, the strongest first, `count` at most.
   std::vector<KeyframeId> Strongest(size_t count, int min_weight) const;

@@ -133,12 +133,24 @@ MapSnapshot Map::Snapshot() {
   snapshot->past_ = past_.Share();
   snapshot->merged_into_ = merged_into_;
   snapshot->newest_keyframe_ = newest_keyframe_;
+  snapshot->num_loops_ = num_loops_;
   return snapshot;
+}
+
+Map Map::Continuing(const Map& snapshot) {
+  Map map = snapshot;
+  // The new writer must not write into pages that it shares with the snapshot: as after a snapshot of its own.
+  map.keyframes_.Share();
+  map.landmarks_.Share();
+  map.past_.Share();
+  map.merged_into_.clear();  // nobody holds an older id
+  return map;
 }
 
 KeyframeId Map::AddKeyframe(FramePtr frame, const Rigid3& cam_from_world, KeyframeId parent) {
   Keyframe keyframe;
   keyframe.id = keyframes_.next_id();
+  keyframe.root = parent.IsValid() ? Find(parent)->root : keyframe.id;
   keyframe.cam_from_world = cam_from_world;
   keyframe.landmarks.resize(frame->size());
   keyframe.frame = std::move(frame);
@@ -206,18 +218,50 @@ void Map::Remove(LandmarkId id) {
 
 void Map::Remove(KeyframeId id) {
   const Keyframe* found = Find(id);
-  YORB_CHECK(found && found->parent.IsValid(), "the first keyframe stays");
+  YORB_CHECK(found && found->parent.IsValid(), "the first keyframe of a sub-map stays");
   const Keyframe leaving = *found;
   for (const LandmarkId landmark : leaving.landmarks) {
     if (landmark.IsValid()) Unobserve(landmark, id);
   }
   AdoptChildren(leaving);
-  auto& siblings = keyframes_.Writable(leaving.parent).children;
-  siblings.erase(std::find(siblings.begin(), siblings.end(), id));
+  DropChild(leaving.parent, id);
+  for (const KeyframeId other : leaving.loops) {
+    auto& loops = keyframes_.Writable(other).loops;
+    loops.erase(std::find(loops.begin(), loops.end(), id));
+  }
   past_.Writable(Id<Past>(id.value())) = {leaving.parent,
                                           leaving.cam_from_world * Find(leaving.parent)->cam_from_world.Inverse()};
   keyframes_.Remove(id);
   while (newest_keyframe_ == id || !Find(newest_keyframe_)) newest_keyframe_ = KeyframeId(newest_keyframe_.value() - 1);
+}
+
+void Map::AddLoop(KeyframeId a, KeyframeId b) {
+  YORB_CHECK(Find(a) && Find(b) && a != b, "both ends of a loop must be there");
+  ++num_loops_;
+  const auto& known = Find(a)->loops;
+  if (std::find(known.begin(), known.end(), b) != known.end()) return;
+  keyframes_.Writable(a).loops.push_back(b);
+  keyframes_.Writable(b).loops.push_back(a);
+}
+
+void Map::Join(KeyframeId joining, KeyframeId into) {
+  YORB_CHECK(Find(joining) && Find(into), "both keyframes of a joint must be there");
+  const KeyframeId old_root = Find(joining)->root, new_root = Find(into)->root;
+  YORB_CHECK(old_root != new_root, "only different sub-maps can be joined");
+  // The way from `joining` up to its root turns round.
+  KeyframeId below = into;
+  for (KeyframeId id = joining; id.IsValid();) {
+    const KeyframeId above = Find(id)->parent;
+    if (above.IsValid()) DropChild(above, id);
+    SetParent(id, below);
+    below = id;
+    id = above;
+  }
+  std::vector<KeyframeId> joined;
+  VisitKeyframes([&](const Keyframe& keyframe) {
+    if (keyframe.root == old_root) joined.push_back(keyframe.id);
+  });
+  for (const KeyframeId id : joined) keyframes_.Writable(id).root = new_root;
 }
 
 void Map::RefreshGeometry(LandmarkId id) {
@@ -272,12 +316,12 @@ void Map::Link(KeyframeId a, KeyframeId b, int change) {
 
 void Map::AdoptChildren(const Keyframe& leaving) {
   for (const KeyframeId child : leaving.children) {
-    // The sibling or grandparent that shares most with the child; only those whose own way to the root avoids the
-    // child can be its parent, and all older keyframes' ways do.
+    // The sibling or grandparent that shares most with the child, of those that do not hang below it.
     KeyframeId best = leaving.parent;
     int best_weight = 0;
     for (const Neighbour& neighbour : Find(child)->neighbours) {
-      if (neighbour.id < child && neighbour.id != leaving.id && neighbour.weight > best_weight) {
+      const bool is_better = neighbour.id < child && neighbour.id != leaving.id && neighbour.weight > best_weight;
+      if (is_better && !IsAbove(child, neighbour.id)) {
         best = neighbour.id;
         best_weight = neighbour.weight;
       }
@@ -287,9 +331,19 @@ void Map::AdoptChildren(const Keyframe& leaving) {
 }
 
 void Map::SetParent(KeyframeId child, KeyframeId parent) {
-  YORB_CHECK(parent < child && Find(parent), "a parent is there before its child");
+  YORB_CHECK(Find(child) && Find(parent), "a child and its parent must be there");
   keyframes_.Writable(child).parent = parent;
   keyframes_.Writable(parent).children.push_back(child);
+}
+
+void Map::DropChild(KeyframeId parent, KeyframeId child) {
+  auto& children = keyframes_.Writable(parent).children;
+  children.erase(std::find(children.begin(), children.end(), child));
+}
+
+bool Map::IsAbove(KeyframeId above, KeyframeId id) const {
+  while (id.IsValid() && id != above) id = Find(id)->parent;
+  return id == above;
 }
 
 }  // namespace yorb

@@ -12,10 +12,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/result.h"
 #include "map/keyframe.h"
 #include "map/landmark.h"
-#include "map/map_parts.h"
 #include "map/paged_table.h"
 
 namespace yorb {
@@ -25,6 +23,9 @@ using MapSnapshot = std::shared_ptr<const Map>;
 
 /// Keyframes, landmarks, who sees whom, and the spanning tree. Ids are never used again: "is bad" becomes "is not
 /// there". Each writing method keeps both ends of a link.
+///
+/// A map consists of sub-maps, each with a tree and a world of its own: one begins where nothing was known any more. No
+/// landmark is seen from two of them. They become one when it turns out how they lie to each other.
 class Map {
  public:
   // ---- reading, on any thread -------------------------------------------------------------------------------------
@@ -57,17 +58,15 @@ class Map {
   size_t num_landmarks() const { return landmarks_.size(); }
   KeyframeId newest_keyframe() const { return newest_keyframe_; }
 
-  /// The ids that the next ones will have, and what is known of the keyframes that are not there any more.
+  /// The ids that the next ones will have.
   KeyframeId next_keyframe() const { return keyframes_.next_id(); }
   LandmarkId next_landmark() const { return landmarks_.next_id(); }
-  std::vector<RemovedKeyframe> RemovedKeyframes() const;
+
+  /// Loops that were closed.
+  size_t num_loops() const { return num_loops_; }
 
   /// The first broken invariant in words, empty when all hold. Slow: for tests.
   std::string Check() const;
-
-  // ---- beginning --------------------------------------------------------------------------------------------------
-  /// The map of these parts. Bad input, in words, where they do not make one.
-  static Result<Map> FromParts(MapParts parts);
 
   /// A map of one's own to go on from a snapshot, which never changes.
   static Map Continuing(const Map& snapshot);
@@ -76,6 +75,7 @@ class Map {
   /// What others read from now on; this map goes on.
   MapSnapshot Snapshot();
 
+  /// Without a parent, a new sub-map begins with it.
   KeyframeId AddKeyframe(FramePtr frame, const Rigid3& cam_from_world, KeyframeId parent);
 
   /// A new landmark, seen first at `index` of `keyframe`.
@@ -92,11 +92,19 @@ class Map {
 
   void Remove(LandmarkId id);
 
-  /// Its views go, its children find a new parent, its pose stays answerable. Not for the first keyframe.
+  /// Its views go, its children find a new parent, its pose stays answerable. Not for a root.
   void Remove(KeyframeId id);
 
   void SetPose(KeyframeId id, const Rigid3& cam_from_world) { keyframes_.Writable(id).cam_from_world = cam_from_world; }
+  void SetBag(KeyframeId id, std::shared_ptr<const Bag> bag) { keyframes_.Writable(id).bag = std::move(bag); }
   void SetPosition(LandmarkId id, const Eigen::Vector3d& x_in_world) { landmarks_.Writable(id).position = x_in_world; }
+
+  /// Two keyframes of one sub-map show the same place, as has turned out: remembered, and counted as a loop.
+  void AddLoop(KeyframeId a, KeyframeId b);
+
+  /// The sub-map of `joining` becomes part of that of `into`, below which it hangs from now on. Its poses and positions
+  /// must be given in the other world before, or right after.
+  void Join(KeyframeId joining, KeyframeId into);
 
   /// Computes direction and distances of a landmark anew from its views.
   void RefreshGeometry(LandmarkId id);
@@ -111,6 +119,7 @@ class Map {
   static constexpr uint32_t kMergesRemembered = 20;
 
  private:
+  friend class MapAssembly;
   /// What stays of a keyframe: a row each, so that snapshots share them.
   struct Past {
     KeyframeId parent;  ///< not valid while the keyframe is there
@@ -126,10 +135,8 @@ class Map {
   void Link(KeyframeId a, KeyframeId b, int change);
   void AdoptChildren(const Keyframe& leaving);
   void SetParent(KeyframeId child, KeyframeId parent);
-  Status TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId next);
-  Status TakeRemoved(const std::vector<RemovedKeyframe>& removed);
-  Status TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId next);
-  Status LinkViews();
+  void DropChild(KeyframeId parent, KeyframeId child);
+  bool IsAbove(KeyframeId above, KeyframeId id) const;
 
   PagedTable<Keyframe> keyframes_;
   PagedTable<Landmark> landmarks_;
@@ -137,6 +144,7 @@ class Map {
   std::unordered_map<LandmarkId, LandmarkId> merged_into_;
   std::deque<MergeRecord> merges_;  ///< in the order of time; the writer's alone
   KeyframeId newest_keyframe_;
+  size_t num_loops_ = 0;
 };
 
 }  // namespace yorb

@@ -16,7 +16,7 @@ std::string Path() { return (std::filesystem::temp_directory_path() / "map_bench
 const Map& MapOf(int64_t num_keyframes) {
   static Map map;
   if (map.num_keyframes() != static_cast<size_t>(num_keyframes)) {
-    map = *Map::FromParts(SyntheticMapParts(static_cast<int>(num_keyframes / 100), 100));
+    map = *MapAssembly::Make(SyntheticMapParts(static_cast<int>(num_keyframes / 100), 100));
   }
   return map;
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <string>
 
 #include "map/count_shared.h"
@@ -43,33 +44,56 @@ std::string CheckKeyframe(const Map& map, const Keyframe& keyframe, SharedCounte
   return {};
 }
 
-std::string CheckTree(const Map& map, const Keyframe& keyframe, bool is_first) {
-  if (keyframe.parent.IsValid() == is_first) return Name(keyframe.id) + (is_first ? " is first" : " has no parent");
-  if (!is_first) {
-    const Keyframe* parent = map.Find(keyframe.parent);
-    if (!parent || !(parent->id < keyframe.id)) return Name(keyframe.id) + " has a parent that is not there or newer";
+std::string CheckTree(const Map& map, const Keyframe& keyframe) {
+  const Keyframe* parent = keyframe.parent.IsValid() ? map.Find(keyframe.parent) : &keyframe;
+  if (!parent) return Name(keyframe.id) + " hangs below a keyframe that is not there";
+  if (keyframe.root != (keyframe.parent.IsValid() ? parent->root : keyframe.id)) {
+    return Name(keyframe.id) + " names another root than its tree's";
   }
   for (const KeyframeId child : keyframe.children) {
     const Keyframe* found = map.Find(child);
     if (!found || found->parent != keyframe.id) return Name(keyframe.id) + " has a child with another parent";
   }
+  for (const Neighbour& neighbour : keyframe.neighbours) {
+    if (map.Find(neighbour.id)->root != keyframe.root) return Name(keyframe.id) + " has a neighbour in another sub-map";
+  }
+  for (const KeyframeId loop : keyframe.loops) {
+    const Keyframe* other = map.Find(loop);
+    const bool is_known = other && std::count(other->loops.begin(), other->loops.end(), keyframe.id) == 1;
+    if (!is_known) return Name(keyframe.id) + " has a loop to a keyframe that does not know of it";
+  }
   return {};
+}
+
+/// Whether a walk up the tree ends, for each keyframe; parents are there.
+std::string CheckRings(const Map& map) {
+  std::string broken;
+  std::vector<bool> leads_up(map.next_keyframe().value(), false);
+  map.VisitKeyframes([&](const Keyframe& keyframe) {
+    std::vector<KeyframeId> walk;
+    for (KeyframeId id = keyframe.id; broken.empty() && id.IsValid() && !leads_up[id.value()];) {
+      if (walk.size() == map.num_keyframes()) broken = Name(keyframe.id) + " hangs in a ring";
+      walk.push_back(id);
+      id = map.Find(id)->parent;
+    }
+    for (const KeyframeId id : walk) leads_up[id.value()] = true;
+  });
+  return broken;
 }
 
 }  // namespace
 
 std::string Map::Check() const {
   std::string broken;
-  bool is_first = true;
   SharedCounter counter;
   VisitLandmarks([&](const Landmark& landmark) {
     if (broken.empty()) broken = CheckLandmark(*this, landmark);
   });
   VisitKeyframes([&](const Keyframe& keyframe) {
     if (broken.empty()) broken = CheckKeyframe(*this, keyframe, counter);
-    if (broken.empty()) broken = CheckTree(*this, keyframe, is_first);
-    is_first = false;
+    if (broken.empty()) broken = CheckTree(*this, keyframe);
   });
+  if (broken.empty()) broken = CheckRings(*this);
   for (const auto& [from, into] : merged_into_) {
     if (broken.empty() && Find(from)) broken = Name(from) + " was merged and is still there";
   }

@@ -24,7 +24,7 @@ constexpr uint32_t kMostFrames = 1u << 31;  // so that those of later runs have 
 
 /// What the head of a file promises.
 struct Head {
-  uint64_t num_keyframes = 0, num_landmarks = 0;
+  uint64_t num_keyframes = 0, num_landmarks = 0, num_loops = 0;
   KeyframeId next_keyframe;
   LandmarkId next_landmark;
   MapFacts facts;
@@ -36,7 +36,7 @@ std::string HeadBytes(const Map& map, const MapFacts& facts) {
   bytes.Put(static_cast<uint64_t>(map.num_landmarks()));
   bytes.Put(map.next_keyframe().value());
   bytes.Put(map.next_landmark().value());
-  bytes.Put(facts.num_loops);
+  bytes.Put(static_cast<uint64_t>(map.num_loops()));
   bytes.PutText(facts.vocabulary);
   return bytes.bytes();
 }
@@ -48,7 +48,7 @@ std::optional<Head> ReadHead(const std::string& content) {
   head.num_landmarks = bytes.Get<uint64_t>();
   head.next_keyframe = KeyframeId(bytes.Get<uint32_t>());
   head.next_landmark = LandmarkId(bytes.Get<uint32_t>());
-  head.facts.num_loops = bytes.Get<uint64_t>();
+  head.num_loops = bytes.Get<uint64_t>();
   head.facts.vocabulary = bytes.GetText();
   if (!bytes.IsReadWhole()) return std::nullopt;
   return head;
@@ -68,7 +68,7 @@ class MapWriter {
       if (status_) Add("KEYF", KeyframeBytes(keyframe, setups.IndexOf(*keyframe.frame)));
     });
     ByteWriter gone;
-    for (const RemovedKeyframe& removed : map.RemovedKeyframes()) PutRemoved(removed, gone);
+    for (const RemovedKeyframe& removed : MapAssembly::Removed(map)) PutRemoved(removed, gone);
     Add("GONE", gone.bytes());
     AddLandmarks(map);
     return status_ ? file_.Commit() : status_;
@@ -110,7 +110,8 @@ class MapReader {
     if (!missing.empty()) return file_.Damaged(missing);
     parts_.next_keyframe = head_->next_keyframe;
     parts_.next_landmark = head_->next_landmark;
-    auto map = Map::FromParts(std::move(parts_));
+    parts_.num_loops = head_->num_loops;
+    auto map = MapAssembly::Make(std::move(parts_));
     if (!map) return file_.Damaged(map.error().message);
     return SavedMap{*std::move(map), head_->facts, file_.num_bytes()};
   }

@@ -14,9 +14,9 @@ namespace yorb {
 //
 //   "HEAD"  counts of what follows, the ids that come next, loops closed, name of the vocabulary
 //   "CAMS"  cameras with their pyramids, each once, however many frames they took
-//   "KEYF"  one a keyframe: pose, tree, frame with points and descriptors, which landmark each point shows
-//   "GONE"  what is known of the keyframes that were removed: old poses stay answerable
-//   "LAND"  landmarks, some thousand a chunk
+//   "KEYF"  one a keyframe: pose, sub-map, tree, loops, frame with points and descriptors, which landmark each point
+//   shows "GONE"  what is known of the keyframes that were removed: old poses stay answerable "LAND"  landmarks, some
+//   thousand a chunk
 //
 // Frames that were only tracked are not in it. Views of landmarks and neighbours of keyframes follow from the rest and
 // are computed anew, and so are bags of words.
@@ -26,7 +26,6 @@ constexpr uint32_t kMapFileVersion = 1;
 
 /// What is known of a map beside itself.
 struct MapFacts {
-  uint64_t num_loops = 0;  ///< closed while it was made
   std::string vocabulary;  ///< that found its places, by name or digest; empty: none
 };
 

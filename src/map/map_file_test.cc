@@ -44,7 +44,7 @@ class MapFile : public testing::Test {
   /// A map of a few keyframes, written to "m.map".
   Map Written() const {
     Map map = LivedInMap(1, 8);
-    EXPECT_TRUE(WriteMapFile(In("m.map"), map, {3, "words"}).ok());
+    EXPECT_TRUE(WriteMapFile(In("m.map"), map, {"words"}).ok());
     return map;
   }
 
@@ -103,6 +103,8 @@ void ExpectSame(const Keyframe& a, const Keyframe& b) {
   EXPECT_EQ(a.landmarks, b.landmarks);
   EXPECT_TRUE(SameBits(a.neighbours, b.neighbours));
   EXPECT_EQ(a.parent, b.parent);
+  EXPECT_EQ(a.root, b.root);
+  EXPECT_EQ(a.loops, b.loops);
   EXPECT_EQ(a.children, b.children);
   ExpectSame(*a.frame, *b.frame);
 }
@@ -137,12 +139,12 @@ void ExpectSame(const Map& a, const Map& b) {
 
 TEST_F(MapFile, GivesBackTheSameMapToTheBit) {
   const Map map = Written();
-  ASSERT_GT(map.RemovedKeyframes().size(), 1u);
+  ASSERT_GT(MapAssembly::Removed(map).size(), 1u);
   const auto read = ReadMapFile(In("m.map"));
   ASSERT_TRUE(read.ok()) << read.error().message;
   EXPECT_EQ(read->map.Check(), "");
   ExpectSame(map, read->map);
-  EXPECT_EQ(read->facts.num_loops, 3u);
+  EXPECT_EQ(read->map.num_loops(), map.num_loops());
   EXPECT_EQ(read->facts.vocabulary, "words");
   EXPECT_EQ(read->num_bytes, std::filesystem::file_size(In("m.map")));
   ASSERT_TRUE(WriteMapFile(In("again.map"), read->map, read->facts).ok());
@@ -251,13 +253,21 @@ TEST_F(MapFile, PartsThatMakeNoMapAreNamed) {
   const auto why = [](const std::function<void(MapParts&)>& change) {
     MapParts parts = SyntheticMapParts(1, 4);
     change(parts);
-    const auto map = Map::FromParts(std::move(parts));
+    const auto map = MapAssembly::Make(std::move(parts));
     return map ? std::string("a map") : map.error().message;
   };
   EXPECT_EQ(why([](MapParts&) {}), "a map");
   EXPECT_THAT(why([](MapParts& p) { p.keyframes[1].landmarks[0] = LandmarkId(1u << 30); }), HasSubstr("not there"));
   EXPECT_THAT(why([](MapParts& p) { p.keyframes[1].landmarks[0] = p.keyframes[1].landmarks[1]; }), HasSubstr("twice"));
-  EXPECT_THAT(why([](MapParts& p) { p.keyframes[2].parent = KeyframeId(3); }), HasSubstr("keyframe"));
+  EXPECT_THAT(why([](MapParts& p) { p.keyframes[2].parent = KeyframeId(3); }), HasSubstr("another parent"));
+  EXPECT_THAT(why([](MapParts& p) { p.keyframes[2].root = KeyframeId(1); }), HasSubstr("another sub-map"));
+  EXPECT_THAT(why([](MapParts& p) { p.keyframes[2].loops = {KeyframeId(0)}; }), HasSubstr("loop"));
+  EXPECT_THAT(why([](MapParts& p) {
+                p.keyframes[0].children = {};
+                p.keyframes[1].parent = KeyframeId(3);
+                p.keyframes[3].children = {KeyframeId(1)};
+              }),
+              HasSubstr("ring"));
   EXPECT_THAT(why([](MapParts& p) { p.keyframes[0].children.clear(); }), HasSubstr("children"));
   EXPECT_THAT(why([](MapParts& p) { p.keyframes[3].landmarks.pop_back(); }), HasSubstr("other keypoints"));
   EXPECT_THAT(why([](MapParts& p) { p.landmarks[5].reference = KeyframeId(); }), HasSubstr("reference"));

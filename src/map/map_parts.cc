@@ -72,90 +72,82 @@ Status StatusOf(const std::string& broken) { return broken.empty() ? Status::Ok(
 
 }  // namespace
 
-std::vector<RemovedKeyframe> Map::RemovedKeyframes() const {
+std::vector<RemovedKeyframe> MapAssembly::Removed(const Map& map) {
   std::vector<RemovedKeyframe> removed;
-  for (uint32_t id = 0; id < keyframes_.next_id().value(); ++id) {
-    if (Find(KeyframeId(id))) continue;
-    const Past* past = FindPast(KeyframeId(id));
+  for (uint32_t id = 0; id < map.next_keyframe().value(); ++id) {
+    if (map.Find(KeyframeId(id))) continue;
+    const Map::Past* past = map.FindPast(KeyframeId(id));
     removed.push_back(
         {KeyframeId(id), past ? past->parent : KeyframeId(), past ? past->cam_from_parent_cam : Rigid3::Identity()});
   }
   return removed;
 }
 
-Map Map::Continuing(const Map& snapshot) {
-  Map map = snapshot;
-  // The new writer must not write into pages that it shares with the snapshot: as after a snapshot of its own.
-  map.keyframes_.Share();
-  map.landmarks_.Share();
-  map.past_.Share();
-  return map;
-}
-
-Result<Map> Map::FromParts(MapParts parts) {
+Result<Map> MapAssembly::Make(MapParts parts) {
   if (parts.keyframes.size() + parts.removed.size() != parts.next_keyframe.value()) {
     return BadInput("its keyframes are not all there");
   }
-  Map map;
-  Status status = map.TakeKeyframes(std::move(parts.keyframes), parts.next_keyframe);
-  if (status) status = map.TakeRemoved(parts.removed);
-  if (status) status = map.TakeLandmarks(std::move(parts.landmarks), parts.next_landmark);
-  if (status) status = map.LinkViews();
-  if (status) status = StatusOf(CheckChildren(map));
-  if (status) status = StatusOf(map.Check());
+  MapAssembly made;
+  made.map_.num_loops_ = parts.num_loops;
+  Status status = made.TakeKeyframes(std::move(parts.keyframes), parts.next_keyframe);
+  if (status) status = made.TakeRemoved(parts.removed);
+  if (status) status = made.TakeLandmarks(std::move(parts.landmarks), parts.next_landmark);
+  if (status) status = made.LinkViews();
+  if (status) status = StatusOf(CheckChildren(made.map_));
+  if (status) status = StatusOf(made.map_.Check());
   if (!status) return status.error();
-  return map;
+  return std::move(made.map_);
 }
 
-Status Map::TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId next) {
+Status MapAssembly::TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId next) {
   if (next.value() > kMostKeyframes || !AreIdsSound(keyframes, next)) return BadInput("it has impossible keyframe ids");
   for (Keyframe& keyframe : keyframes) {
-    newest_keyframe_ = keyframe.id;
-    keyframes_.SkipTo(keyframe.id);
-    keyframes_.Add(std::move(keyframe));
+    map_.newest_keyframe_ = keyframe.id;
+    map_.keyframes_.SkipTo(keyframe.id);
+    map_.keyframes_.Add(std::move(keyframe));
   }
-  keyframes_.SkipTo(next);
+  map_.keyframes_.SkipTo(next);
   return Status::Ok();
 }
 
-Status Map::TakeRemoved(const std::vector<RemovedKeyframe>& removed) {
-  if (!AreIdsSound(removed, keyframes_.next_id())) return BadInput("it has impossible ids of removed keyframes");
-  for (uint32_t id = 0; id < keyframes_.next_id().value(); ++id) past_.Add({});
+Status MapAssembly::TakeRemoved(const std::vector<RemovedKeyframe>& removed) {
+  if (!AreIdsSound(removed, map_.keyframes_.next_id())) return BadInput("it has impossible ids of removed keyframes");
+  for (uint32_t id = 0; id < map_.keyframes_.next_id().value(); ++id) map_.past_.Add({});
   for (const RemovedKeyframe& row : removed) {
-    if (Find(row.id)) return BadInput(Name(row.id) + " is there and removed");
+    if (map_.Find(row.id)) return BadInput(Name(row.id) + " is there and removed");
     if (!row.cam_from_parent_cam.IsFinite()) return BadInput(Name(row.id) + " is nowhere");
-    past_.Writable(Id<Past>(row.id.value())) = {row.parent, row.cam_from_parent_cam};
+    map_.past_.Writable(Id<Map::Past>(row.id.value())) = {row.parent, row.cam_from_parent_cam};
   }
-  return StatusOf(CheckRemoved(*this, removed));
+  return StatusOf(CheckRemoved(map_, removed));
 }
 
-Status Map::TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId next) {
+Status MapAssembly::TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId next) {
   if (next.value() > kMostLandmarks || !AreIdsSound(landmarks, next)) return BadInput("it has impossible landmark ids");
   for (Landmark& landmark : landmarks) {
-    if (!(landmark.first_keyframe < keyframes_.next_id())) {
+    if (!(landmark.first_keyframe < map_.keyframes_.next_id())) {
       return BadInput(Name(landmark.id) + " was born in a keyframe that never was");
     }
-    landmarks_.SkipTo(landmark.id);
-    landmarks_.Add(std::move(landmark));
+    map_.landmarks_.SkipTo(landmark.id);
+    map_.landmarks_.Add(std::move(landmark));
   }
-  landmarks_.SkipTo(next);
+  map_.landmarks_.SkipTo(next);
   return Status::Ok();
 }
 
-Status Map::LinkViews() {
+Status MapAssembly::LinkViews() {
   std::string broken;
   std::vector<KeyframeId> ids;
   // Keyframes come by ascending id, and so do the views of each landmark.
-  VisitKeyframes([&](const Keyframe& keyframe) {
+  map_.VisitKeyframes([&](const Keyframe& keyframe) {
     ids.push_back(keyframe.id);
     for (uint32_t i = 0; i < keyframe.landmarks.size() && broken.empty(); ++i) {
       const LandmarkId id = keyframe.landmarks[i];
       if (!id.IsValid()) continue;
-      if (!Find(id)) {
+      if (!map_.Find(id)) {
         broken = Name(keyframe.id) + " sees " + Name(id) + ", which is not there";
         continue;
       }
-      auto& views = landmarks_.Writable(id).views;
+      auto& views = map_.landmarks_.Writable(id).views;
       if (!views.empty() && views.back().keyframe == keyframe.id) {
         broken = Name(keyframe.id) + " sees " + Name(id) + " twice";
       }
@@ -164,7 +156,7 @@ Status Map::LinkViews() {
   });
   if (!broken.empty()) return BadInput(broken);
   SharedCounter counter;
-  for (const KeyframeId id : ids) keyframes_.Writable(id).neighbours = counter.Count(*this, *Find(id));
+  for (const KeyframeId id : ids) map_.keyframes_.Writable(id).neighbours = counter.Count(map_, *map_.Find(id));
   return Status::Ok();
 }
 

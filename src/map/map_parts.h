@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "map/keyframe.h"
-#include "map/landmark.h"
+#include "core/result.h"
+#include "map/map.h"
 
 namespace yorb {
 
@@ -21,9 +21,28 @@ struct RemovedKeyframe {
 struct MapParts {
   KeyframeId next_keyframe;  ///< that the next one will have: ids are never used again
   LandmarkId next_landmark;
-  std::vector<Keyframe> keyframes;       ///< by ascending id, without neighbours
+  size_t num_loops = 0;
+  std::vector<Keyframe> keyframes;       ///< by ascending id, without neighbours and bags
   std::vector<RemovedKeyframe> removed;  ///< by ascending id: all ids below the next that are not there
   std::vector<Landmark> landmarks;       ///< by ascending id, without views
+};
+
+/// Puts maps together from parts, and takes out what only Map itself can see.
+class MapAssembly {
+ public:
+  /// The map of these parts. Bad input, in words, where they do not make one.
+  static Result<Map> Make(MapParts parts);
+
+  /// The keyframes of a map that are not there any more.
+  static std::vector<RemovedKeyframe> Removed(const Map& map);
+
+ private:
+  Status TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId next);
+  Status TakeRemoved(const std::vector<RemovedKeyframe>& removed);
+  Status TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId next);
+  Status LinkViews();
+
+  Map map_;
 };
 
 }  // namespace yorb

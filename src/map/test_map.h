@@ -4,13 +4,13 @@
 
 #include <utility>
 
-#include "map/map.h"
+#include "map/map_parts.h"
 #include "map/synthetic_world.h"
 
 namespace yorb {
 
-/// The parts of a map of several rooms, some keyframes in each, the camera going along the back wall: large maps in a
-/// short time.
+/// The parts of a map of several rooms, each a sub-map of some keyframes, the camera going along the back wall: large
+/// maps in a short time.
 inline MapParts SyntheticMapParts(int num_rooms, int keyframes_a_room) {
   MapParts parts;
   uint32_t next_landmark = 0;
@@ -22,11 +22,12 @@ inline MapParts SyntheticMapParts(int num_rooms, int keyframes_a_room) {
       const double along = -1.5 + 3.0 * k / keyframes_a_room;
       Keyframe keyframe;
       keyframe.id = KeyframeId(number);
+      keyframe.root = KeyframeId(number - static_cast<uint32_t>(k));
       keyframe.cam_from_world = Rigid3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-along, 0, 0));
       const auto view =
           world.Look(keyframe.cam_from_world, FrameId(2 * number), Timestamp{number * int64_t{100000000}});
       keyframe.frame = view.frame;
-      if (number > 0) {
+      if (k > 0) {
         keyframe.parent = KeyframeId(number - 1);
         parts.keyframes.back().children.push_back(keyframe.id);
       }
@@ -54,7 +55,7 @@ inline MapParts SyntheticMapParts(int num_rooms, int keyframes_a_room) {
 
 /// A map that has lived: keyframes and landmarks were removed, landmarks merged, moved and counted.
 inline Map LivedInMap(int num_rooms, int keyframes_a_room) {
-  auto made = Map::FromParts(SyntheticMapParts(num_rooms, keyframes_a_room));
+  auto made = MapAssembly::Make(SyntheticMapParts(num_rooms, keyframes_a_room));
   YORB_CHECK(made.ok(), "the parts make a map");
   Map map = *std::move(made);
   std::vector<LandmarkId> landmarks;
@@ -68,11 +69,18 @@ inline Map LivedInMap(int num_rooms, int keyframes_a_room) {
     map.Refresh(landmarks[i + 5]);
   }
   const uint32_t num = map.next_keyframe().value();
-  for (uint32_t k = 2; k < num; k += 3) map.Remove(KeyframeId(k));
-  for (uint32_t k = 3; k < num; k += 9) map.Remove(KeyframeId(k));
-  for (uint32_t k = 4; k < num; k += 3) {
+  for (const uint32_t start : {2u, 3u}) {
+    for (uint32_t k = start; k < num; k += start * start) {
+      const Keyframe* found = map.Find(KeyframeId(k));
+      if (found && found->parent.IsValid()) map.Remove(KeyframeId(k));
+    }
+  }
+  for (uint32_t k = 0; k < num; k += 5) {
+    if (!map.Find(KeyframeId(k))) continue;
     map.SetPose(KeyframeId(k), Rigid3(RotationFromVector({random.Gaussian(), 0, 1}), {0.1 * k, 1.0 / 3, 0}));
   }
+  map.AddLoop(KeyframeId(0), KeyframeId(1));
+  if (num_rooms > 1) map.Join(map.newest_keyframe(), KeyframeId(0));
   return map;
 }
 

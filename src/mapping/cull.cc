@@ -57,7 +57,8 @@ void CullKeyframes(Map& map, KeyframeId center, double redundant_share) {
   const std::vector<Neighbour> neighbours = map.Find(center)->neighbours;
   for (const Neighbour& neighbour : neighbours) {
     const Keyframe& keyframe = *map.Find(neighbour.id);
-    if (keyframe.parent.IsValid() && IsRedundant(map, keyframe, redundant_share)) map.Remove(neighbour.id);
+    const bool may_go = keyframe.parent.IsValid() && keyframe.loops.empty();
+    if (may_go && IsRedundant(map, keyframe, redundant_share)) map.Remove(neighbour.id);
   }
 }
 

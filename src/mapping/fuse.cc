@@ -45,4 +45,12 @@ void FuseWithNeighbours(Map& map, KeyframeId keyframe, size_t num_neighbours) {
   Apply(map, FindSightings(map, map.SeenBy(targets), *map.Find(keyframe)), keyframe);
 }
 
+void FuseAcross(Map& map, const std::vector<KeyframeId>& ones, const std::vector<KeyframeId>& others) {
+  const auto look = [&map](const std::vector<KeyframeId>& from, const std::vector<KeyframeId>& by) {
+    for (const KeyframeId id : by) Apply(map, FindSightings(map, map.SeenBy(from), *map.Find(id)), id);
+  };
+  look(others, ones);
+  look(ones, others);
+}
+
 }  // namespace yorb

@@ -11,12 +11,20 @@
 
 namespace yorb {
 
+Mapper::Mapper(const MappingOptions& options, VocabularyPtr vocabulary, Map start)
+    : options_(options), vocabulary_(std::move(vocabulary)), map_(std::move(start)) {
+  if (!vocabulary_) return;
+  std::vector<KeyframeId> keyframes;
+  map_.VisitKeyframes([&](const Keyframe& keyframe) { keyframes.push_back(keyframe.id); });
+  for (const KeyframeId id : keyframes) SetBag(id);
+}
+
 MappingTimes Mapper::Handle(const Proposal& proposal, const MapperHooks& hooks) {
   MappingTimes times;
   const Stopwatch total;
   const auto num_neighbours = static_cast<size_t>(options_.neighbours);
 
-  const KeyframeId id = Insert(proposal);
+  const KeyframeId id = times.added = Insert(proposal);
   times.insert_ms = total.ms();
 
   const Stopwatch triangulate;
@@ -44,25 +52,61 @@ MappingTimes Mapper::Handle(const Proposal& proposal, const MapperHooks& hooks) 
 
 KeyframeId Mapper::Insert(const Proposal& proposal) {
   const KeyframeId id = InsertKeyframe(map_, proposal);
+  if (vocabulary_) SetBag(id);
   recent_ = CullRecentLandmarks(map_, recent_);
   for (const LandmarkId added : AddLandmarksByDepth(map_, id)) recent_.push_back(added);
   return id;
 }
 
-void Mapper::AdjustAround(KeyframeId center, const std::function<bool()>& should_stop) {
+void Mapper::SetBag(KeyframeId id) {
+  map_.SetBag(id, std::make_shared<const Bag>(vocabulary_->Describe(map_.Find(id)->frame->descriptors)));
+}
+
+void Mapper::Apply(const Correction& correction) {
+  MoveMap(map_, correction);
+  if (correction.place) TieTogether(*correction.place);
+  TakeOut(correction.outliers);
+}
+
+void Mapper::TieTogether(const SamePlace& place) {
+  constexpr size_t kNeighbours = 10;
+  const KeyframeId newer = map_.Surviving(place.newer), older = map_.Surviving(place.older);
+  const auto around = [&](KeyframeId id) {
+    std::vector<KeyframeId> keyframes = map_.Find(id)->Strongest(kNeighbours, 1);
+    keyframes.push_back(id);
+    return keyframes;
+  };
+  const std::vector<KeyframeId> ones = around(newer), others = around(older);
+  const KeyframeId newers_root = map_.Find(newer)->root, olders_root = map_.Find(older)->root;
+  if (newers_root == olders_root) {
+    map_.AddLoop(newer, older);
+  } else if (olders_root < newers_root) {
+    map_.Join(newer, older);
+  } else {
+    map_.Join(older, newer);
+  }
+  FuseAcross(map_, ones, others);
+}
+
+void Mapper::TakeOut(const std::vector<std::pair<LandmarkId, KeyframeId>>& outliers) {
   constexpr int kMinRays = 3;  // what one view with depth does not give
+  for (const auto& [landmark, keyframe] : outliers) {
+    const Landmark* seen = map_.Find(landmark);
+    if (!seen || !seen->ViewOf(keyframe)) continue;
+    map_.Unobserve(landmark, keyframe);
+    const Landmark* left = map_.Find(landmark);
+    if (left && NumRays(map_, *left) < kMinRays) map_.Remove(landmark);
+  }
+}
+
+void Mapper::AdjustAround(KeyframeId center, const std::function<bool()>& should_stop) {
   LocalBundleOptions options;
   options.max_moving = static_cast<size_t>(options_.ba_keyframes);
   options.max_fixed = static_cast<size_t>(options_.ba_fixed_keyframes);
   const LocalBundle bundle = AdjustLocally(map_, center, options, should_stop);
   for (const auto& [id, pose] : bundle.poses) map_.SetPose(id, pose);
   for (const auto& [id, x_in_world] : bundle.points) map_.SetPosition(id, x_in_world);
-  for (const auto& [landmark, keyframe] : bundle.outliers) {
-    if (!map_.Find(landmark)) continue;
-    map_.Unobserve(landmark, keyframe);
-    const Landmark* left = map_.Find(landmark);
-    if (left && NumRays(map_, *left) < kMinRays) map_.Remove(landmark);
-  }
+  TakeOut(bundle.outliers);
   for (const auto& [id, x_in_world] : bundle.points) {
     if (map_.Find(id)) map_.RefreshGeometry(id);
   }

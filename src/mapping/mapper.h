@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Room: mapping. Keeps the map: new keyframes and landmarks in, doubtful ones out, all of them where they fit best.
-// Takes: Proposals. Gives: map snapshots. Owns: the map, as its only writer.
+// Takes: Proposals, Corrections. Gives: map snapshots. Owns: the map, as its only writer.
 // Runs on: whichever thread calls Handle. May not: estimate the pose of a frame, start threads, read files.
 #pragma once
 
@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "map/correction.h"
 #include "map/map.h"
 #include "mapping/mapping_options.h"
+#include "places/vocabulary.h"
 
 namespace yorb {
 
@@ -21,8 +23,9 @@ struct MapperHooks {
       publish;  ///< called once the new keyframe is in, before it is adjusted; may be empty
 };
 
-/// How long the parts took.
+/// What came of a proposal, and how long the parts took.
 struct MappingTimes {
+  KeyframeId added;
   double total_ms = 0;
   double insert_ms = 0, triangulate_ms = 0, fuse_ms = 0, local_ba_ms = 0, cull_ms = 0;
   bool has_adjusted = false;
@@ -30,19 +33,27 @@ struct MappingTimes {
 
 class Mapper {
  public:
-  /// `start`: the map to go on from.
-  explicit Mapper(const MappingOptions& options, Map start = {}) : options_(options), map_(std::move(start)) {}
+  /// `start`: the map to go on from. Without a vocabulary (null), keyframes have no bags of words.
+  explicit Mapper(const MappingOptions& options, VocabularyPtr vocabulary = nullptr, Map start = {});
 
   /// Takes a proposal in. `Snapshot()` then shows what came of it.
   MappingTimes Handle(const Proposal& proposal, const MapperHooks& hooks);
 
+  /// Moves the map; where the correction says that two keyframes show one place, ties them together: a loop, or two
+  /// sub-maps that become one, with the landmarks there fused.
+  void Apply(const Correction& correction);
+
   MapSnapshot Snapshot() { return map_.Snapshot(); }
 
  private:
+  void SetBag(KeyframeId id);
   KeyframeId Insert(const Proposal& proposal);
+  void TieTogether(const SamePlace& place);
+  void TakeOut(const std::vector<std::pair<LandmarkId, KeyframeId>>& outliers);
   void AdjustAround(KeyframeId center, const std::function<bool()>& should_stop);
 
   MappingOptions options_;
+  VocabularyPtr vocabulary_;
   Map map_;
   std::vector<LandmarkId> recent_;  ///< landmarks that have to prove themselves
 };

@@ -7,17 +7,10 @@
 
 #include "core/check.h"
 #include "optimize/bundle_step.h"
+#include "optimize/levenberg_marquardt.h"
 
 namespace yorb {
 namespace {
-
-constexpr double kFirstDamping = 1e-5, kLeastDamping = 1e-9, kMostDamping = 1e12;
-
-/// How one round of iterations ended.
-struct Round {
-  int iterations = 0;
-  bool was_stopped = false;
-};
 
 void CheckRows(const BundleProblem& problem) {
   YORB_CHECK(problem.is_fixed.size() == problem.poses.size(), "is_fixed needs a row a pose");
@@ -50,41 +43,6 @@ std::vector<bool> FindInliers(const BundleProblem& problem, const std::vector<bo
   return is_inlier;
 }
 
-/// Levenberg-Marquardt with Nielsen's rule for the damping. `values` are the best so far at any time.
-Round Iterate(BundleStepper& stepper, int max_iterations, double tolerance, const std::function<bool()>& should_stop,
-              BundleValues& values) {
-  Round round;
-  BundleValues trial = values;
-  double cost = stepper.Linearize(values);
-  double damping = kFirstDamping, growth = 2;
-  for (; round.iterations < max_iterations && damping < kMostDamping; ++round.iterations) {
-    round.was_stopped = should_stop && should_stop();
-    if (round.was_stopped) break;
-    double decrease = -1;
-    if (stepper.Solve(damping)) {
-      if (stepper.PredictedDecrease() <= 1e-3 * tolerance * cost) break;
-      stepper.Apply(values, trial);
-      decrease = cost - stepper.Cost(trial);
-    }
-    if (!(decrease > 0)) {
-      damping *= growth;
-      growth *= 2;
-      continue;
-    }
-    std::swap(values, trial);
-    const bool is_done = decrease <= tolerance * cost;
-    const double gain = decrease / stepper.PredictedDecrease();
-    damping = std::max(kLeastDamping, damping * std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3)));
-    growth = 2;
-    if (is_done) {
-      ++round.iterations;
-      break;
-    }
-    cost = stepper.Linearize(values);
-  }
-  return round;
-}
-
 }  // namespace
 
 BundleResult AdjustBundle(const BundleProblem& problem, const BundleOptions& options,
@@ -98,14 +56,14 @@ BundleResult AdjustBundle(const BundleProblem& problem, const BundleOptions& opt
   BundleStepper stepper(problem.projection);
   stepper.Begin(whole, true);
   result.initial_cost = stepper.Cost(values);
-  Round round = Iterate(stepper, options.first_iterations, options.relative_tolerance, should_stop, values);
+  Descent round = Descend(stepper, {options.first_iterations, options.relative_tolerance}, should_stop, values);
   result.iterations = round.iterations;
   std::vector<bool> is_inlier = FindInliers(problem, is_usable, values);
   int left = options.second_iterations;
   for (int k = 0; k < options.second_rounds && left > 0 && !round.was_stopped; ++k) {
     const BundleStructure clean = MakeBundleStructure(problem, is_inlier);
     stepper.Begin(clean, false);
-    round = Iterate(stepper, left, options.relative_tolerance, should_stop, values);
+    round = Descend(stepper, {left, options.relative_tolerance}, should_stop, values);
     result.iterations += round.iterations;
     left -= round.iterations;
     std::vector<bool> was_inlier = FindInliers(problem, is_usable, values);

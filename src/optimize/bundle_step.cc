@@ -5,17 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/levenberg_marquardt.h"
+
 namespace yorb {
 namespace {
-
-/// What Marquardt's damping adds to a diagonal, for a damping of one: the diagonal, with a floor for directions that
-/// nothing pulls at (a point without depth along its ray, a pose with too few points).
-template <typename Matrix>
-auto DampingScale(const Matrix& hessian) {
-  using Vector = Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1>;
-  const Vector diagonal = hessian.diagonal();
-  return Vector(diagonal.cwiseMax(1e-6 * diagonal.maxCoeff() + 1e-9));
-}
 
 /// L^-1 of the Cholesky factor of a 3x3 matrix; false where it is not positive definite.
 bool InverseCholesky(const Eigen::Matrix3d& m, Eigen::Matrix3d& inverse) {

@@ -3,6 +3,7 @@
 #include "optimize/bundle_structure.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace yorb {
 namespace {
@@ -72,43 +73,75 @@ void AddEntries(const BundleProblem& problem, const std::vector<uint32_t>& rows,
   }
 }
 
-/// Calls `visit(free pose a, free pose b)` for every pair of every point, in the order of `pair_slots`.
-template <typename Visitor>
-void ForEachPair(BundleStructure& structure, Visitor&& visit) {
-  for (BundleStructure::Point& point : structure.points) {
-    for (uint32_t a = point.links_begin; a < point.links_end; ++a) {
-      for (uint32_t b = a; b < point.links_end; ++b) visit(point, structure.links[a], structure.links[b]);
+/// A point that a pose sees: rows of `points` and `links`.
+struct Sight {
+  uint32_t point = 0, link = 0;
+};
+
+/// What each free pose sees, pose after pose; those of pose a begin at `begin[a]`.
+struct Sights {
+  std::vector<size_t> begin;
+  std::vector<Sight> sights;
+};
+
+Sights SortByPose(const BundleStructure& structure) {
+  Sights sorted;
+  sorted.begin.resize(structure.free_poses.size() + 1, 0);
+  for (const uint32_t pose : structure.links) ++sorted.begin[pose + 1];
+  for (size_t k = 1; k < sorted.begin.size(); ++k) sorted.begin[k] += sorted.begin[k - 1];
+  sorted.sights.resize(structure.links.size());
+  std::vector<size_t> next(sorted.begin.begin(), sorted.begin.end() - 1);
+  for (uint32_t k = 0; k < structure.points.size(); ++k) {
+    const BundleStructure::Point& point = structure.points[k];
+    for (uint32_t link = point.links_begin; link < point.links_end; ++link) {
+      sorted.sights[next[structure.links[link]]++] = {k, link};
     }
   }
+  return sorted;
 }
 
-/// Fills the pattern and the pairs.
+/// Makes room for the pairs of all points.
+void CountPairs(BundleStructure& structure) {
+  size_t num_pairs = 0;
+  for (BundleStructure::Point& point : structure.points) {
+    const size_t count = point.links_end - point.links_begin;
+    point.pairs_begin = num_pairs;
+    num_pairs += count * (count + 1) / 2;
+  }
+  structure.pair_slots.resize(num_pairs);
+}
+
+/// Fills the pattern and the pairs, row by row of the reduced system: nothing here grows with the square of the poses.
 void AddPairs(BundleStructure& structure) {
   const auto size = static_cast<uint32_t>(structure.free_poses.size());
-  std::vector<uint32_t> slot_of(size_t{size} * size, BundleStructure::kNone);
-  for (uint32_t k = 0; k < size; ++k) slot_of[size_t{k} * size + k] = k;
-  size_t num_pairs = 0;
-  ForEachPair(structure, [&](BundleStructure::Point&, uint32_t a, uint32_t b) {
-    if (a != b) slot_of[size_t{a} * size + b] = 0;
-    ++num_pairs;
-  });
+  const Sights sorted = SortByPose(structure);
+  CountPairs(structure);
   structure.pattern.size = size;
   for (uint32_t k = 0; k < size; ++k) structure.pattern.blocks.emplace_back(k, k);
+  std::vector<uint32_t> seen_by(size, BundleStructure::kNone), slot_of(size), columns;
   for (uint32_t a = 0; a < size; ++a) {
-    for (uint32_t b = a + 1; b < size; ++b) {
-      uint32_t& slot = slot_of[size_t{a} * size + b];
-      if (slot == BundleStructure::kNone) continue;
-      slot = static_cast<uint32_t>(structure.pattern.blocks.size());
+    columns.clear();
+    for (size_t k = sorted.begin[a]; k < sorted.begin[a + 1]; ++k) {
+      const auto [point, link] = sorted.sights[k];
+      for (uint32_t other = link + 1; other < structure.points[point].links_end; ++other) {
+        const uint32_t b = structure.links[other];
+        if (std::exchange(seen_by[b], a) != a) columns.push_back(b);
+      }
+    }
+    std::sort(columns.begin(), columns.end());
+    slot_of[a] = a;
+    for (const uint32_t b : columns) {
+      slot_of[b] = static_cast<uint32_t>(structure.pattern.blocks.size());
       structure.pattern.blocks.emplace_back(a, b);
     }
+    for (size_t k = sorted.begin[a]; k < sorted.begin[a + 1]; ++k) {
+      const auto [row, link] = sorted.sights[k];
+      const BundleStructure::Point& point = structure.points[row];
+      const size_t first = link - point.links_begin, count = point.links_end - point.links_begin;
+      uint32_t* slot = structure.pair_slots.data() + point.pairs_begin + first * (2 * count - first + 1) / 2;
+      for (uint32_t other = link; other < point.links_end; ++other) *slot++ = slot_of[structure.links[other]];
+    }
   }
-  structure.pair_slots.reserve(num_pairs);
-  const BundleStructure::Point* last = nullptr;
-  ForEachPair(structure, [&](BundleStructure::Point& point, uint32_t a, uint32_t b) {
-    if (last != &point) point.pairs_begin = structure.pair_slots.size();
-    last = &point;
-    structure.pair_slots.push_back(slot_of[size_t{a} * size + b]);
-  });
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "optimize/ceres_oracle.h"
-#include "optimize/test_problems.h"
+#include "optimize/test_tours.h"
 
 namespace yorb {
 namespace {
@@ -85,6 +85,21 @@ TEST(AdjustBundle, ReachesTheCostOfCeres) {
     EXPECT_NEAR(result.final_cost, oracle.cost, 1e-6 * oracle.cost) << without_depth;
     for (size_t k = 0; k < result.poses.size(); ++k) EXPECT_LT(PoseDistance(result.poses[k], oracle.poses[k]), 1e-4);
   }
+}
+
+TEST(AdjustBundle, ReachesTheCostOfCeresInTheSparseWay) {
+  TourOptions options;
+  options.poses = 120, options.points = 1500;
+  options.noise = {1, 0, 0.3};
+  const WorldProblem world = MakeTour(options);
+  const std::vector<bool> all(world.problem.seen.size(), true);
+  BundleOptions to_the_end = UntilSettled();
+  to_the_end.first_iterations = 50;
+  to_the_end.relative_tolerance = 1e-10;
+  const BundleResult result = AdjustBundle(world.problem, to_the_end);
+  const CeresBundleResult oracle = CeresAdjustBundle(world.problem, Flipped(result.is_outlier), false, 1e-12);
+  EXPECT_LT(Count(result.is_outlier), world.problem.seen.size() / 100);
+  EXPECT_NEAR(PlainCost(world.problem, result), oracle.cost, 1e-6 * oracle.cost);
 }
 
 TEST(AdjustBundle, TakesOutliersOutAndThenReachesTheCostOfCeres) {

@@ -110,7 +110,7 @@ inline CeresBundleResult CeresAdjustBundle(const BundleProblem& problem, const s
   result.points = problem.points;
   ceres::Problem ceres_problem;
   ceres::Solver::Options options = CeresOptions(tolerance);
-  options.linear_solver_type = ceres::DENSE_SCHUR;
+  options.linear_solver_type = problem.poses.size() > 100 ? ceres::SPARSE_SCHUR : ceres::DENSE_SCHUR;
   options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   for (size_t k = 0; k < problem.seen.size(); ++k) {
     if (!is_chosen[k]) continue;

@@ -3,11 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <utility>
-#include <vector>
 
-#include "map/map.h"
-#include "optimize/bundle.h"
+#include "optimize/map_bundle.h"
 
 namespace yorb {
 
@@ -18,14 +15,7 @@ struct LocalBundleOptions {
 };
 
 /// What a local bundle adjustment found; the mapper applies it.
-struct LocalBundle {
-  std::vector<std::pair<KeyframeId, Rigid3>> poses;
-  std::vector<std::pair<LandmarkId, Eigen::Vector3d>> points;
-  std::vector<std::pair<LandmarkId, KeyframeId>> outliers;  ///< views that do not fit
-  size_t num_observations = 0;
-  double initial_cost = 0, final_cost = 0;
-  bool was_stopped = false;
-};
+using LocalBundle = MapBundle;
 
 /// Adjusts a keyframe, its neighbours and what they see, with the keyframes around held fixed.
 LocalBundle AdjustLocally(const Map& map, KeyframeId center, const LocalBundleOptions& options,

@@ -3,24 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 #include <cstdint>
-#include <memory>
-#include <utility>
+#include <optional>
 #include <vector>
 
+#include "optimize/block_cholesky.h"
+
 namespace yorb {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-
-/// Which 6x6 blocks of a symmetric matrix occur, in the upper half: row <= column. The first `size` are the diagonal,
-/// the others follow by row and then by column.
-struct BlockPattern {
-  uint32_t size = 0;  ///< block rows
-  std::vector<std::pair<uint32_t, uint32_t>> blocks;
-};
 
 /// The linear system that remains for the poses once the points are eliminated: `matrix * x = right`.
 struct ReducedSystem {
@@ -41,18 +30,13 @@ class ReducedSolver {
 
   Eigen::Map<const Vector6d> Solution(uint32_t row) const { return Eigen::Map<const Vector6d>(&solution_[6 * row]); }
 
-  bool IsSparse() const { return factor_ != nullptr; }
+  bool IsSparse() const { return factor_.has_value(); }
 
  private:
-  using SparseFactor = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
-
-  void MakeSparse(const BlockPattern& pattern);
   bool SolveDense(const ReducedSystem& system);
-  bool SolveSparse(const ReducedSystem& system);
 
   Eigen::MatrixXd dense_;
-  Eigen::SparseMatrix<double> sparse_;  // the lower half
-  std::unique_ptr<SparseFactor> factor_;
+  std::optional<BlockCholesky> factor_;
   Eigen::VectorXd solution_;
 };
 

@@ -122,6 +122,7 @@ std::string MetricsJson(const RunMetrics& metrics) {
                                        {"keyframes", metrics.keyframes},
                                        {"landmarks", metrics.landmarks},
                                        {"loops", metrics.loops},
+                                       {"submaps", metrics.submaps},
                                        {"dynamics", DynamicsJson(metrics.dynamics)},
                                        {"wall_s", NumberOrNull(metrics.wall_s)},
                                        {"cpu_s", NumberOrNull(metrics.cpu_s)},

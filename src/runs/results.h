@@ -44,6 +44,7 @@ struct RunMetrics {
   size_t frames = 0;   ///< colour pictures of the list, as far as the run went
   size_t tracked = 0;  ///< of these, with a pose confirmed by matches
   size_t keyframes = 0, landmarks = 0, loops = 0;
+  size_t submaps = 0;  ///< that were not joined; coverage counts the frames of the largest
   size_t skipped = 0;  ///< pictures that could not be decoded whole
   DynamicsMetrics dynamics;
   double wall_s = 0, cpu_s = 0, peak_rss_mb = 0;

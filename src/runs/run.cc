@@ -45,8 +45,9 @@ struct Run {
 RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& report, size_t num_frames) {
   RunMetrics metrics;
   metrics.frames = num_frames;
-  metrics.tracked = report.trajectory.size();
-  metrics.keyframes = report.keyframes.size();
+  metrics.tracked = report.trajectory().size();
+  metrics.keyframes = report.num_keyframes;
+  metrics.submaps = report.submaps.size();
   metrics.landmarks = report.num_landmarks;
   metrics.loops = report.num_loops;
   metrics.skipped = fed.num_skipped;
@@ -63,20 +64,40 @@ RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& repor
   return metrics;
 }
 
+/// trajectory.txt, or trajectory_2.txt where a sub-map was never joined to the first, and so on.
+std::string NumberedName(const std::string& stem, size_t number) {
+  return number == 1 ? stem + ".txt" : stem + "_" + std::to_string(number) + ".txt";
+}
+
+/// Takes away what an older run, or this one before two sub-maps were joined, has left of further sub-maps.
+void RemoveFurther(const std::string& folder, size_t num_submaps) {
+  for (const char* stem : {"trajectory", "keyframes"}) {
+    std::error_code ignored;
+    for (size_t number = num_submaps + 1;; ++number) {
+      if (!std::filesystem::remove(InRunFolder(folder, NumberedName(stem, number)), ignored)) break;
+    }
+  }
+}
+
 /// Writes all files of the run folder; nothing in it is replaced before all could be written.
 Status Save(const Run& run, const FeedLog& fed, const SlamReport& report) {
   const std::vector<FrameRow> rows = FrameRows(run.dataset, fed.fates, report.frames);
   const RunMetrics metrics = MetricsOf(run, fed, report, rows.size());
-  const auto in_folder = [&](const char* name) { return InRunFolder(run.out, name); };
-  return WriteFilesTogether({
+  const auto in_folder = [&](const std::string& name) { return InRunFolder(run.out, name); };
+  std::vector<FileToWrite> files = {
       {in_folder("config.yaml"), ConfigText(run.options.config, run.camera_text)},
-      {in_folder("trajectory.txt"), TumText(report.trajectory)},
-      {in_folder("keyframes.txt"), TumText(report.keyframes)},
       {in_folder("frames.csv"), FramesCsv(rows)},
       {in_folder("report.html"), ReportHtml(ReportOf(run.options, metrics, rows, report))},
       {in_folder("log.txt"), LogText()},
       {in_folder("metrics.json"), MetricsJson(metrics)},
-  });
+  };
+  for (size_t i = 0; i < report.submaps.size(); ++i) {
+    files.push_back({in_folder(NumberedName("trajectory", i + 1)), TumText(report.submaps[i].trajectory)});
+    files.push_back({in_folder(NumberedName("keyframes", i + 1)), TumText(report.submaps[i].keyframes)});
+  }
+  const Status status = WriteFilesTogether(files);
+  if (status) RemoveFurther(run.out, report.submaps.size());
+  return status;
 }
 
 /// Saves while the run goes on. A failure is not the end: the disk may have room again by then.
@@ -91,8 +112,8 @@ RunSummary Summarise(const Run& run, const FeedLog& fed, const SlamReport& repor
   RunSummary summary;
   summary.out = run.out;
   summary.frames = fed.fates.size();
-  summary.tracked = report.trajectory.size();
-  summary.keyframes = report.keyframes.size();
+  summary.tracked = report.trajectory().size();
+  summary.keyframes = report.num_keyframes;
   summary.landmarks = report.num_landmarks;
   summary.skipped = fed.num_skipped;
   for (const Fate fate : fed.fates) summary.dropped += fate == Fate::kDropped;
@@ -118,22 +139,20 @@ void LogSummary(const RunSummary& summary) {
 /// Why there is no pose at all, where it is not for want of depth, of which the feeder has told.
 void WarnOfMissingMap(const Run& run, const FeedLog& fed, const SlamReport& report) {
   if (report.frames.empty()) return;
-  if (!report.keyframes.empty() && report.trajectory.empty()) {
+  if (report.num_keyframes > 0 && report.trajectory().empty()) {
     LogWarning("not-in-map", "none of the " + std::to_string(report.frames.size()) + " frames was found in the map " +
                                  run.options.config.load_map);
   }
-  if (!fed.had_depth || !report.keyframes.empty()) return;
+  if (!fed.had_depth || report.num_keyframes > 0) return;
   LogWarning("no-map", "no map began: none of the " + std::to_string(report.frames.size()) + " frames shows " +
                            std::to_string(run.options.config.tracking.min_first_points) +
                            " corners with depth; is the picture black, blank or very small?");
 }
 
 /// The map into its file, whatever the end of the run is.
-void SaveMap(const Run& run, const Slam& slam, const SlamReport& report, RunSummary& summary) {
+void SaveMap(const Run& run, const Slam& slam, RunSummary& summary) {
   if (run.options.save_map.empty()) return;
-  MapFacts facts = run.map_facts;
-  facts.num_loops += report.num_loops;
-  const auto is_written = SaveRunMap(run.options.save_map, *slam.Snapshot(), facts);
+  const auto is_written = SaveRunMap(run.options.save_map, *slam.Snapshot(), run.map_facts);
   if (!is_written) {
     summary.error = is_written.error();
   } else if (*is_written) {
@@ -166,7 +185,7 @@ RunSummary Carry(Run& run, Slam& slam, const RunHooks& hooks) {
   if (!ShouldSave(run, fed)) return summary;
   const Status status = Save(run, fed, report);
   if (!status) summary.error = status.error();
-  SaveMap(run, slam, report, summary);
+  SaveMap(run, slam, summary);
   return summary;
 }
 

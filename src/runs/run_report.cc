@@ -43,8 +43,8 @@ RunReport ReportOf(const RunOptions& options, const RunMetrics& metrics, const s
   report.title = options.title;
   report.stages = StageTimes(metrics.stage_ms);
   report.key_figures = KeyFigures(metrics, report.stages);
-  report.trajectory = slam.trajectory;
-  report.keyframes = slam.keyframes;
+  report.trajectory = slam.trajectory();
+  report.keyframes = slam.keyframes();
   report.reference = options.reference;
   report.frames.reserve(rows.size());
   for (const FrameRow& row : rows) report.frames.push_back(FrameOf(row));

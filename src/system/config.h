@@ -6,6 +6,7 @@
 
 #include "detection/detector.h"
 #include "features/orb_extractor.h"
+#include "looping/looping_options.h"
 #include "mapping/mapping_options.h"
 #include "tracking/tracking_options.h"
 
@@ -37,6 +38,7 @@ struct Config {
   FeatureOptions features;
   TrackingOptions tracking;
   MappingOptions mapping;
+  LoopingOptions looping;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -52,6 +54,7 @@ struct Config {
     visit("features", self.features);
     visit("tracking", self.tracking);
     visit("mapping", self.mapping);
+    visit("looping", self.looping);
   }
 };
 

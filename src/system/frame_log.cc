@@ -6,6 +6,62 @@
 #include <unordered_map>
 
 namespace yorb {
+namespace {
+
+/// The pose of a frame by the newest map, and the root of its sub-map.
+struct Placed {
+  Rigid3 cam_from_world;
+  KeyframeId root;
+};
+
+std::optional<Placed> Place(const FrameRecord& record, const Map& map,
+                            const std::unordered_map<FrameId, KeyframeId>& keyframe_of) {
+  if (record.state != TrackingState::kTracking) return std::nullopt;
+  // A frame that became a keyframe has the keyframe's own, adjusted pose.
+  const auto own = keyframe_of.find(record.id);
+  if (own != keyframe_of.end()) return Placed{map.Find(own->second)->cam_from_world, map.Find(own->second)->root};
+  const auto reference = map.CamFromWorld(record.reference);
+  if (!reference) return std::nullopt;  // the first keyframe is still on its way into the map
+  return Placed{record.cam_from_reference * *reference, map.Find(map.Surviving(record.reference))->root};
+}
+
+/// Keyframes of a map that was loaded may be of any time.
+void SortByTime(Trajectory& poses) {
+  std::stable_sort(poses.begin(), poses.end(),
+                   [](const StampedPose& a, const StampedPose& b) { return a.timestamp < b.timestamp; });
+}
+
+/// The sub-maps, those that were there from the beginning first, then the one with most frames of this run.
+std::vector<SubmapReport> SubmapsOf(const std::vector<FrameRecord>& records, const Map& map, KeyframeId first_own) {
+  std::map<uint32_t, SubmapReport> by_root;
+  std::unordered_map<FrameId, KeyframeId> keyframe_of;
+  map.VisitKeyframes([&](const Keyframe& keyframe) {
+    keyframe_of[keyframe.frame->id] = keyframe.id;
+    by_root[keyframe.root.value()].keyframes.push_back({keyframe.frame->timestamp, keyframe.cam_from_world.Inverse()});
+  });
+  for (const FrameRecord& record : records) {
+    const auto placed = Place(record, map, keyframe_of);
+    if (!placed) continue;
+    by_root[placed->root.value()].trajectory.push_back({record.timestamp, placed->cam_from_world.Inverse()});
+  }
+  std::vector<SubmapReport> submaps;
+  size_t num_old = 0;
+  for (auto& [root, submap] : by_root) {
+    num_old += KeyframeId(root) < first_own;
+    SortByTime(submap.keyframes);
+    submaps.push_back(std::move(submap));
+  }
+  const auto has_more = [](const SubmapReport& a, const SubmapReport& b) {
+    return a.trajectory.size() > b.trajectory.size();
+  };
+  const auto own = submaps.begin() + static_cast<std::ptrdiff_t>(num_old);
+  std::stable_sort(submaps.begin(), own, has_more);
+  std::stable_sort(own, submaps.end(), has_more);
+  if (submaps.empty()) submaps.emplace_back();
+  return submaps;
+}
+
+}  // namespace
 
 void FrameLog::Add(const FrameRecord& record) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -28,39 +84,27 @@ void FrameLog::Add(const MappingTimes& times) {
   stage_ms_["cull"].push_back(times.cull_ms);
 }
 
+void FrameLog::Add(const std::string& stage, double ms) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stage_ms_[stage].push_back(ms);
+}
+
 size_t FrameLog::num_frames() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return records_.size();
 }
 
-SlamReport FrameLog::Report(const Map& map) const {
+SlamReport FrameLog::Report(const Map& map, KeyframeId first_own) const {
   SlamReport report;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     report.frames = records_;
     report.stage_ms = stage_ms_;
   }
-  // A frame that became a keyframe has the keyframe's own, adjusted pose.
-  std::unordered_map<FrameId, Rigid3> keyframe_poses;
-  map.VisitKeyframes([&](const Keyframe& keyframe) {
-    keyframe_poses[keyframe.frame->id] = keyframe.cam_from_world;
-    report.keyframes.push_back({keyframe.frame->timestamp, keyframe.cam_from_world.Inverse()});
-  });
-  // Those of a map that was loaded may be of any time.
-  std::stable_sort(report.keyframes.begin(), report.keyframes.end(),
-                   [](const StampedPose& a, const StampedPose& b) { return a.timestamp < b.timestamp; });
-  for (const FrameRecord& record : report.frames) {
-    if (record.state != TrackingState::kTracking) continue;
-    const auto own = keyframe_poses.find(record.id);
-    if (own != keyframe_poses.end()) {
-      report.trajectory.push_back({record.timestamp, own->second.Inverse()});
-      continue;
-    }
-    const auto reference = map.CamFromWorld(record.reference);
-    if (!reference) continue;  // the first keyframe is still on its way into the map
-    report.trajectory.push_back({record.timestamp, (record.cam_from_reference * *reference).Inverse()});
-  }
+  report.submaps = SubmapsOf(report.frames, map, first_own);
+  report.num_keyframes = map.num_keyframes();
   report.num_landmarks = map.num_landmarks();
+  report.num_loops = map.num_loops();
   return report;
 }
 

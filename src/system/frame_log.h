@@ -18,11 +18,14 @@ class FrameLog {
  public:
   void Add(const FrameRecord& record);
   void Add(const MappingTimes& times);
+  void Add(const std::string& stage, double ms);
 
   size_t num_frames() const;
 
   /// Everything so far, with the poses that `map` gives the frames now.
-  SlamReport Report(const Map& map) const;
+  /// Sub-maps with keyframes before `first_own`, of a map that was gone on from, come first: trajectory.txt is in its
+  /// world, or empty.
+  SlamReport Report(const Map& map, KeyframeId first_own) const;
 
  private:
   mutable std::mutex mutex_;

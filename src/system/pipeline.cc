@@ -74,22 +74,27 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       builder_(FeaturesOf(config), rig),
       follows_bodies_(DynamicsOf(config) == Dynamics::kFull),
       remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor),
-      tracker_(config.tracking, config.seed, TaskOf(config, parts_)),
-      mapper_(config.mapping, Map::Continuing(*StartOf(parts_))),
+      tracker_(config.tracking, config.seed, parts_.vocabulary, TaskOf(config, parts_)),
+      mapper_(config.mapping, parts_.vocabulary, Map::Continuing(*StartOf(parts_))),
+      looper_(config.looping, parts_.vocabulary, config.seed),
       images_(kImagesAhead),
       to_detect_(1),
       looked_(1),
       frames_(kFramesAhead),
-      proposals_(kProposalsAhead),
+      events_(kProposalsAhead),
+      added_(1),
+      applied_(1),
       first_map_(1),
-      view_(StartOf(parts_)),
-      next_frame_(NextFrame(*StartOf(parts_))) {
+      view_(mapper_.Snapshot()),
+      first_own_(view_.Get()->next_keyframe()),
+      next_frame_(NextFrame(*view_.Get())) {
   if (mode_ == Mode::kInline) return;
   try {
     if (parts_.detector) Spawn(&Pipeline::RunDetection);
     Spawn(&Pipeline::RunExtraction);
     Spawn(&Pipeline::RunTracking);
     Spawn(&Pipeline::RunMapping);
+    Spawn(&Pipeline::RunLooping);
   } catch (...) {  // no more threads to be had
     CloseAll();
     Finish();
@@ -103,8 +108,12 @@ bool Pipeline::Push(ImageSet images) {
   if (mode_ == Mode::kOffline) return images_.Push(std::move(images));
   if (mode_ == Mode::kLive) return images_.TryPush(std::move(images));
   if (const auto proposal = Track(Extract(images))) {
-    Handle(*proposal, {});
+    const KeyframeId added = Handle(*proposal, {});
     view_.Set(mapper_.Snapshot());
+    LookForLoops(added, [this](const Correction& correction) {
+      mapper_.Apply(correction);
+      view_.Set(mapper_.Snapshot());
+    });
   }
   return true;
 }
@@ -125,7 +134,9 @@ void Pipeline::CloseAll() {
   to_detect_.Close();
   looked_.Close();
   frames_.Close();
-  proposals_.Close();
+  events_.Close();
+  added_.Close();
+  applied_.Close();
   first_map_.Close();
 }
 
@@ -202,13 +213,33 @@ Pipeline::Extracted Pipeline::Extract(const ImageSet& images) {
 
 std::optional<Proposal> Pipeline::Track(const Extracted& extracted) {
   const Stopwatch watch;
+  const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
   const MapSnapshot map = view_.Get();
-  Tracked tracked = tracker_.Track(extracted.frame, *map, num_pending_);
+  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog);
   log_.Add(Joined(extracted.record, tracked.record, watch.ms()));
   return std::move(tracked.proposal);
 }
 
-void Pipeline::Handle(const Proposal& proposal, const MapperHooks& hooks) { log_.Add(mapper_.Handle(proposal, hooks)); }
+KeyframeId Pipeline::Handle(const Proposal& proposal, const MapperHooks& hooks) {
+  const MappingTimes times = mapper_.Handle(proposal, hooks);
+  log_.Add(times);
+  return times.added;
+}
+
+/// `apply` returns once the correction is in the map that `view_` shows.
+template <typename Apply>
+void Pipeline::LookForLoops(KeyframeId added, Apply&& apply) {
+  if (!looper_.IsActive()) return;
+  const Stopwatch look;
+  const auto closed = looper_.Look(added, *view_.Get());
+  if (closed) apply(*closed);
+  log_.Add("looping", look.ms());
+  if (!looper_.WantsToAdjust()) return;
+  const Stopwatch adjust;
+  const auto adjusted = looper_.Adjust(*view_.Get(), {});
+  if (adjusted) apply(*adjusted);
+  log_.Add("global_ba", adjust.ms());
+}
 
 void Pipeline::RunDetection() {
   while (const auto images = to_detect_.Pop()) looked_.Push(Detect(*images));
@@ -228,21 +259,40 @@ void Pipeline::RunTracking() {
     if (!proposal) continue;
     const bool is_first = !proposal->reference.IsValid();
     ++num_pending_;
-    proposals_.Push(*std::move(proposal));
+    events_.Push(*std::move(proposal));
     if (is_first) first_map_.Pop();
   }
-  proposals_.Close();
+  events_.Push(EndOfFrames());
 }
 
 void Pipeline::RunMapping() {
-  const MapperHooks hooks{[this] { return proposals_.Backlog() > 0; },
+  const MapperHooks hooks{[this] { return events_.Backlog() > 0; },
                           [this](MapSnapshot map) { view_.Set(std::move(map)); }};
-  while (const auto proposal = proposals_.Pop()) {
-    Handle(*proposal, hooks);
-    view_.Set(mapper_.Snapshot());
-    --num_pending_;
-    if (!proposal->reference.IsValid()) first_map_.Push(view_.Get());
+  while (const auto event = events_.Pop()) {
+    if (const auto* proposal = std::get_if<Proposal>(&*event)) {
+      const KeyframeId added = Handle(*proposal, hooks);
+      view_.Set(mapper_.Snapshot());
+      --num_pending_;
+      if (!proposal->reference.IsValid()) first_map_.Push(view_.Get());
+      added_.PushNow(added);
+    } else if (const auto* correction = std::get_if<Correction>(&*event)) {
+      mapper_.Apply(*correction);
+      view_.Set(mapper_.Snapshot());
+      applied_.Push(view_.Get());
+    } else {
+      added_.Close();  // the looper ends the events once it has looked at what is left
+    }
   }
+}
+
+void Pipeline::RunLooping() {
+  while (const auto added = added_.Pop()) {
+    LookForLoops(*added, [this](const Correction& correction) {
+      events_.PushNow(correction);
+      applied_.Pop();
+    });
+  }
+  events_.Close();
 }
 
 }  // namespace yorb

@@ -6,12 +6,14 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <variant>
 #include <vector>
 
 #include "core/channel.h"
 #include "core/latest.h"
 #include "dynamics/remover.h"
 #include "features/frame_builder.h"
+#include "looping/looper.h"
 #include "mapping/mapper.h"
 #include "system/frame_log.h"
 #include "system/slam.h"
@@ -21,8 +23,10 @@ namespace yorb {
 
 /// The stages and the streams between them; the only place where stages meet, and where threads live.
 ///
-///   images --+--extract--+--remove--> frames --track--> proposals --map~~~> view (read by track)
-///            +--detect---+
+///   images --+--extract--+--remove--> frames --track--> events --map~~~> view (read by track and loop)
+///            +--detect---+                                ^   |
+///                                            corrections  |   v  added
+///                                                        loop
 ///
 /// Inline mode calls the same functions one after the other. Offline and live differ in the policy of the first stream
 /// and in the detector's: offline each frame waits for its own boxes, live it takes the newest there are.
@@ -38,7 +42,7 @@ class Pipeline {
   Status Fault() const;
 
   MapSnapshot Snapshot() const { return view_.Get(); }
-  SlamReport Report() const { return log_.Report(*view_.Get()); }
+  SlamReport Report() const { return log_.Report(*view_.Get(), first_own_); }
   size_t num_frames_done() const { return log_.num_frames(); }
 
  private:
@@ -55,12 +59,17 @@ class Pipeline {
     double detect_ms = 0;
   };
 
+  struct EndOfFrames {};
+  using Event = std::variant<Proposal, Correction, EndOfFrames>;
+
   Looked Detect(const ImageSet& images);
   Looked Await(const ImageSet& images);
   Extracted Extract(const ImageSet& images);
   Extracted Remove(const ImageSet& images, Features features, const Looked& looked);
   std::optional<Proposal> Track(const Extracted& extracted);
-  void Handle(const Proposal& proposal, const MapperHooks& hooks);
+  KeyframeId Handle(const Proposal& proposal, const MapperHooks& hooks);
+  template <typename Apply>
+  void LookForLoops(KeyframeId added, Apply&& apply);
 
   void Spawn(void (Pipeline::*stage)());
   void CloseAll();
@@ -68,6 +77,7 @@ class Pipeline {
   void RunExtraction();
   void RunTracking();
   void RunMapping();
+  void RunLooping();
 
   const Mode mode_;
   SlamParts parts_;
@@ -76,17 +86,21 @@ class Pipeline {
   Remover remover_;
   Tracker tracker_;
   Mapper mapper_;
+  Looper looper_;
 
   Channel<ImageSet> images_;
   Channel<ImageSet> to_detect_;
   Channel<Looked> looked_;
   Channel<Extracted> frames_;
-  Channel<Proposal> proposals_;
+  Channel<Event> events_;               ///< what the mapper works off; corrections never wait
+  Channel<KeyframeId> added_;           ///< what the looper works off; the mapper never waits
+  Channel<MapSnapshot> applied_;        ///< the looper waits for its corrections to be in the map
   Channel<MapSnapshot> first_map_;      ///< the tracker waits for the map to begin
   std::atomic<size_t> num_pending_{0};  ///< proposals that the mapper has not worked off
   Latest<Map> view_;
   Latest<Error> fault_;
   FrameLog log_;
+  const KeyframeId first_own_;  ///< all before are those of the map that was gone on from
   uint32_t next_frame_;
   std::vector<std::thread> threads_;
 };

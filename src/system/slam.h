@@ -18,6 +18,7 @@
 #include "dynamics/remover.h"
 #include "geometry/trajectory.h"
 #include "map/event.h"
+#include "places/vocabulary.h"
 #include "system/config.h"
 
 namespace yorb {
@@ -26,15 +27,23 @@ class Map;
 class Pipeline;
 using MapSnapshot = std::shared_ptr<const Map>;
 
+/// A part of the map with a world of its own.
+struct SubmapReport {
+  Trajectory trajectory;  ///< confirmed frames, world_from_cam by the newest map
+  Trajectory keyframes;
+};
+
 /// What a run has come to so far.
 struct SlamReport {
   std::vector<FrameRecord> frames;  ///< in the order of time, one a pushed picture that was not dropped
   std::map<std::string, std::vector<double>>
-      stage_ms;           ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
-  Trajectory trajectory;  ///< confirmed frames, world_from_cam by the newest map
-  Trajectory keyframes;
-  size_t num_landmarks = 0;
-  size_t num_loops = 0;
+      stage_ms;                       ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
+  std::vector<SubmapReport> submaps;  ///< the one with most frames first; never empty
+  size_t num_keyframes = 0, num_landmarks = 0, num_loops = 0;
+
+  /// Of the sub-map with most frames.
+  const Trajectory& trajectory() const { return submaps.front().trajectory; }
+  const Trajectory& keyframes() const { return submaps.front().keyframes; }
 };
 
 /// What was decided about the points of one picture.
@@ -50,6 +59,7 @@ struct SlamParts {
   MapSnapshot map;                               ///< to go on from, or to be located in; null: a new one is begun
   std::unique_ptr<Detector> detector;            ///< null: nothing is detected
   MotionTable motions = MotionTable::Default();  ///< how the classes of its boxes move
+  VocabularyPtr vocabulary;                      ///< null: places are not recognised, no loops are closed
   std::function<void(const Watched&)> watch;     ///< called for each picture, on the thread that extracts; may be empty
 };
 

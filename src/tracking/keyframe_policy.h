@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "localize/fix.h"
 #include "map/map.h"
-#include "tracking/fix.h"
 #include "tracking/tracking_options.h"
 
 namespace yorb {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "localize/relocalizer.h"
 #include "tracking/keyframe_policy.h"
-#include "tracking/relocalizer.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -37,7 +37,7 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 }  // namespace
 
 Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
-  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame) : TrackInMap(frame, map, backlog);
+  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
@@ -46,18 +46,22 @@ Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
   return tracked;
 }
 
-Tracked Tracker::Begin(const FramePtr& frame) {
+Tracked Tracker::Begin(const FramePtr& frame, const Map& map) {
   Tracked tracked;
   const int num_points = CountPointsWithDepth(*frame);
   if (num_points < options_.min_first_points) return tracked;
-  // The map's first keyframe has the first id there is, and defines the world.
-  const KeyframeId first(0);
+  // This frame will be the next keyframe, since no other waits, and defines the world of its sub-map.
+  const KeyframeId first = map.next_keyframe();
   state_ = TrackingState::kTracking;
+  motion_.Forget();
   last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size())};
-  last_proposal_ = frame->timestamp;
+  was_lost_ = false;
+  sought_since_.reset();
   tracked.record.reference = first;
   tracked.record.num_matched = tracked.record.num_inliers = num_points;
   tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}};
+  last_proposal_ = frame->timestamp;
+  frames_since_proposal_ = 0;
   return tracked;
 }
 
@@ -70,7 +74,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   ++frames_since_proposal_;
   if (!located) {
     NoteLoss(*frame);
-    return tracked;
+    return IsTimeForANewMap(*frame, backlog) ? Begin(raw_frame, map) : tracked;
   }
   if (!task_.only_locates) CountSeen(*located);
   Fix& fix = located->fix;
@@ -103,21 +107,20 @@ Tracked Tracker::StandStill() {
   return tracked;
 }
 
-std::optional<Tracker::Located> Tracker::FindPose(const Frame& frame, const Map& map) const {
+std::optional<Tracker::Located> Tracker::FindPose(const Frame& frame, const Map& map) {
   using Way = std::optional<Fix> (Tracker::*)(const Frame&, const Map&) const;
   std::optional<Located> best;
-  const auto try_way = [&](Way way) {
-    const std::optional<Fix> coarse = (this->*way)(frame, map);
+  const auto take = [&](const std::optional<Fix>& coarse) {
     std::optional<Located> located = coarse ? TrackLocalMap(frame, map, *coarse) : std::nullopt;
     if (located && (!best || NumInliers(located->fix) > NumInliers(best->fix))) best = std::move(located);
     return best && IsConvincing(best->fix);
   };
   if (state_ != TrackingState::kLost) {
     for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
-      if (try_way(way)) return best;
+      if (take((this->*way)(frame, map))) return best;
     }
   }
-  if (!best) try_way(&Tracker::RelocalizeInMap);
+  if (!best) take(RelocalizeInMap(frame, map));
   return best;
 }
 
@@ -158,11 +161,19 @@ std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map
   const Keyframe* reference = map.Find(map.Surviving(last_.reference));
   if (!reference) return std::nullopt;
   Random random(static_cast<uint64_t>(seed_), frame.id.value());
-  return RelocalizeAgainst(frame, map, *reference, options_, kMinInliersOfGuess, random);
+  return RelocalizeAgainst(frame, map, *reference, {kMinInliersOfGuess, options_.relocalize_radius_px}, random);
 }
 
-std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) const {
-  return Relocalize(frame, map, options_, Random(static_cast<uint64_t>(seed_), frame.id.value()));
+std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) {
+  constexpr size_t kPlaces = 6;
+  constexpr double kMinShare = 0.2;
+  const RecognitionTerms terms{static_cast<size_t>(options_.min_inliers_after_loss), options_.relocalize_radius_px,
+                               kMinShare};
+  const Random random(static_cast<uint64_t>(seed_), frame.id.value());
+  if (!memory_.CanRecall()) return Relocalize(frame, map, NewestAndSomeOlder(map, frame.id), terms, random);
+  memory_.Follow(map);
+  const auto all = [](KeyframeId) { return true; };
+  return Relocalize(frame, map, memory_.Recall(map, memory_.Describe(frame), kPlaces, all), terms, random);
 }
 
 std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const {
@@ -220,6 +231,7 @@ void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
     lost_since_ = frame.timestamp;
   }
   state_ = TrackingState::kTracking;
+  sought_since_.reset();
 }
 
 void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& located) {
@@ -231,9 +243,17 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
 
 void Tracker::NoteLoss(const Frame& frame) {
   motion_.Forget();
-  if (!last_.frame) return;  // lost from the beginning
-  const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
-  state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
+  if (last_.frame) {  // otherwise it was lost from the beginning
+    const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
+    state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
+  }
+  const bool shows_something = CountPointsWithDepth(frame) >= options_.min_first_points;
+  if (shows_something && !sought_since_) sought_since_ = frame.timestamp;
+}
+
+bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
+  return !task_.only_locates && state_ == TrackingState::kLost && backlog == 0 && sought_since_ &&
+         SecondsBetween(*sought_since_, frame.timestamp) >= options_.new_map_after_s;
 }
 
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {

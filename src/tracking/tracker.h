@@ -8,9 +8,10 @@
 #include <optional>
 #include <unordered_map>
 
+#include "localize/fix.h"
+#include "localize/local_map.h"
+#include "localize/place_memory.h"
 #include "map/map.h"
-#include "tracking/fix.h"
-#include "tracking/local_map.h"
 #include "tracking/motion_model.h"
 #include "tracking/tracking_options.h"
 
@@ -30,10 +31,14 @@ struct TrackerTask {
 
 class Tracker {
  public:
-  Tracker(const TrackingOptions& options, int64_t seed, const TrackerTask& task = {})
+  /// Without a vocabulary (null), a lost camera is sought among the newest keyframes and some of the older ones in
+  /// turn.
+  Tracker(const TrackingOptions& options, int64_t seed, VocabularyPtr vocabulary = nullptr,
+          const TrackerTask& task = {})
       : options_(options),
         seed_(seed),
         task_(task),
+        memory_(std::move(vocabulary)),
         state_(task.has_map ? TrackingState::kLost : TrackingState::kNotInitialized) {}
 
   /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off.
@@ -55,14 +60,14 @@ class Tracker {
     std::vector<LandmarkId> visible;  ///< landmarks that should be seen from there
   };
 
-  Tracked Begin(const FramePtr& frame);
+  Tracked Begin(const FramePtr& frame, const Map& map);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
   Tracked StandStill();
-  std::optional<Located> FindPose(const Frame& frame, const Map& map) const;
+  std::optional<Located> FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromLastByAppearance(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
-  std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map) const;
+  std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map);
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
   bool IsConfirmed(const Frame& frame, const Fix& fix) const;
   bool IsAlone(const Frame& frame) const;
@@ -70,6 +75,7 @@ class Tracker {
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
   void NoteLoss(const Frame& frame);
+  bool IsTimeForANewMap(const Frame& frame, size_t backlog) const;
   Proposal Propose(const FramePtr& frame, const Fix& fix);
   std::vector<KnownPoint> LandmarksOfLast(const Map& map) const;
   void AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const;
@@ -78,11 +84,13 @@ class Tracker {
   TrackingOptions options_;
   int64_t seed_;
   TrackerTask task_;
+  PlaceMemory memory_;
   TrackingState state_;
   Confirmed last_;
   MotionModel motion_;
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
+  std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something
   int frames_since_proposal_ = 0;
   bool was_lost_ = false;
 };

@@ -9,7 +9,8 @@ namespace yorb {
 /// Options of the tracker; YAML group `tracking`.
 struct TrackingOptions {
   double lost_after_s = 0.5;         ///< without a confirmed pose for so long, "recently lost" becomes "lost"
-  int min_first_points = 100;        ///< points with depth that a first keyframe needs
+  double new_map_after_s = 3;        ///< in sight of something unknown, a lost camera begins a new sub-map
+  int min_first_points = 100;        ///< points with depth that the first keyframe of a sub-map needs
   int min_inliers = 30;              ///< matched landmarks that confirm a pose
   int min_inliers_after_loss = 50;   ///< the same, shortly after tracking was lost
   double search_radius_px = 15;      ///< about the predicted place of a point of the frame before, at octave 0
@@ -24,6 +25,7 @@ struct TrackingOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
     visit("lost_after_s", self.lost_after_s, Range(0, 60));
+    visit("new_map_after_s", self.new_map_after_s, Range(0, 3600));
     visit("min_first_points", self.min_first_points, Range(10, 20000));
     visit("min_inliers", self.min_inliers, Range(6, 1000));
     visit("min_inliers_after_loss", self.min_inliers_after_loss, Range(6, 1000));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/relocalizer.h"
+#include "localize/relocalizer.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(Relocalize, FindsAFrameFarFromTheLastOne) {
   const Map map = MapOf(world, {Looking(0, 0), Looking(0.2, 0.1), Looking(0.4, 0.8), Looking(0.5, 1.2)});
   const Rigid3 truth = Looking(0.1, 0.05);
   const auto view = world.Look(truth, FrameId(50), Timestamp{50});
-  const auto fix = Relocalize(*view.frame, map, TrackingOptions(), Random(1));
+  const auto fix = Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(1));
   ASSERT_TRUE(fix.has_value());
   EXPECT_LT((fix->cam_from_world.translation - truth.translation).norm(), 0.01);
   EXPECT_GE(fix->num_inliers, 50u);
@@ -49,7 +49,7 @@ TEST(Relocalize, GivesNoPoseInAnotherPlace) {
   const Map map = MapOf(world, {Looking(0, 0), Looking(0.2, 0.1)});
   for (uint32_t k = 0; k < 20; ++k) {
     const auto view = elsewhere.Look(Looking(0.05 * k, 0.02 * k), FrameId(k), Timestamp{k});
-    EXPECT_FALSE(Relocalize(*view.frame, map, TrackingOptions(), Random(1, k)).has_value());
+    EXPECT_FALSE(Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(1, k)).has_value());
   }
 }
 
@@ -57,8 +57,8 @@ TEST(Relocalize, TheSameSeedGivesTheSameBits) {
   const SyntheticWorld world(4);
   const Map map = MapOf(world, {Looking(0, 0), Looking(0.2, 0.1)});
   const auto view = world.Look(Looking(0.3, 0.0), FrameId(9), Timestamp{9});
-  const auto a = Relocalize(*view.frame, map, TrackingOptions(), Random(3, 9));
-  const auto b = Relocalize(*view.frame, map, TrackingOptions(), Random(3, 9));
+  const auto a = Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(3, 9));
+  const auto b = Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(3, 9));
   ASSERT_TRUE(a && b);
   EXPECT_EQ(a->cam_from_world.translation, b->cam_from_world.translation);
   EXPECT_EQ(a->matches, b->matches);

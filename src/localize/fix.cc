@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/fix.h"
+#include "localize/fix.h"
 
 #include "optimize/observed.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tracking/local_map.h"
+#include "localize/local_map.h"
 
 #include <algorithm>
 

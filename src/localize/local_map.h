@@ -6,7 +6,7 @@
 
 #include "map/map.h"
 #include "matching/by_projection.h"
-#include "tracking/fix.h"
+#include "localize/fix.h"
 
 namespace yorb {
 

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "looping/recognize.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "localize/evidence.h"
+#include "localize/local_map.h"
+#include "localize/relocalizer.h"
+
+namespace yorb {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// A keyframe and what is around it.
+std::vector<KeyframeId> PlaceOf(const Keyframe& keyframe) {
+  constexpr size_t kNeighbours = 10;
+  constexpr int kMinShared = 15;
+  std::vector<KeyframeId> place = keyframe.Strongest(kNeighbours, kMinShared);
+  place.push_back(keyframe.id);
+  return place;
+}
+
+/// The pose of a frame that should be near `guess`, on the landmarks of a place alone.
+Fix FixAtPlace(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<KeyframeId>& place) {
+  constexpr float kWidening = 5;
+  Fix fix;
+  fix.cam_from_world = guess;
+  fix.matches.resize(frame.size());
+  LocalMap local;
+  local.keyframes = place;
+  const auto expected = ExpectLocalLandmarks(map, local, frame, guess, fix.matches, kWidening);
+  return FixWithExpected(frame, map, fix, expected);
+}
+
+/// How far the camera went from one keyframe to another, by the keyframes between.
+double PathBetween(const Map& map, KeyframeId from, KeyframeId to) {
+  double path_m = 0;
+  std::optional<Eigen::Vector3d> last;
+  const KeyframeId root = map.Find(to)->root;
+  map.VisitKeyframes([&](const Keyframe& keyframe) {
+    if (keyframe.root != root || keyframe.id < from || to < keyframe.id) return;
+    const Eigen::Vector3d centre = keyframe.cam_from_world.OriginInSource();
+    if (last) path_m += (centre - *last).norm();
+    last = centre;
+  });
+  return path_m;
+}
+
+}  // namespace
+
+bool AreNear(const Map& map, KeyframeId a, KeyframeId b) {
+  if (a == b) return true;
+  const auto& one = map.Find(a)->neighbours;
+  const auto& other = map.Find(b)->neighbours;
+  const auto is_b = [&](const Neighbour& neighbour) { return neighbour.id == b; };
+  if (std::any_of(one.begin(), one.end(), is_b)) return true;
+  auto at = other.begin();  // both are sorted by id
+  for (const Neighbour& neighbour : one) {
+    while (at != other.end() && at->id < neighbour.id) ++at;
+    if (at != other.end() && at->id == neighbour.id) return true;
+  }
+  return false;
+}
+
+std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, const Keyframe& older,
+                                     const LoopingOptions& options, Random random) {
+  constexpr size_t kWorthALook = 15;
+  constexpr double kRadiusPx = 20;
+  const auto coarse = RelocalizeAgainst(*newer.frame, map, older, {kWorthALook, kRadiusPx}, random);
+  if (!coarse) return std::nullopt;
+  const std::vector<KeyframeId> place = PlaceOf(older);
+  const Fix fix = FixAtPlace(*newer.frame, map, coarse->cam_from_world, place);
+  const double share = Weigh(*newer.frame, map, fix, place).Share();
+  if (fix.num_inliers < static_cast<size_t>(options.min_inliers) || share < options.min_share) return std::nullopt;
+  return Recognition{newer.id, older.id, fix.cam_from_world, fix.num_inliers, share};
+}
+
+bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOptions& options) {
+  constexpr size_t kAsked = 5;
+  constexpr int kMinShared = 30;
+  constexpr double kMaxShift = 0.05, kMaxTurnRad = 0.05;  // between what was expected and what was found
+  if (recognition.num_inliers >= static_cast<size_t>(options.certain_inliers) &&
+      recognition.share >= options.certain_share) {
+    return true;
+  }
+  const Keyframe& newer = *map.Find(recognition.newer);
+  const std::vector<KeyframeId> place = PlaceOf(*map.Find(recognition.older));
+  for (const KeyframeId id : newer.Strongest(kAsked, kMinShared)) {
+    const Keyframe& beside = *map.Find(id);
+    const Rigid3 guess = beside.cam_from_world * newer.cam_from_world.Inverse() * recognition.cam_from_world;
+    const Fix fix = FixAtPlace(*beside.frame, map, guess, place);
+    if (fix.num_inliers < static_cast<size_t>(options.min_inliers)) continue;
+    const Rigid3 off = fix.cam_from_world * guess.Inverse();
+    const bool agrees = off.translation.norm() < kMaxShift && off.RotationAngle() < kMaxTurnRad;
+    if (agrees && Weigh(*beside.frame, map, fix, place).Share() >= options.min_share) return true;
+  }
+  return false;
+}
+
+bool IsPlausible(const Map& map, const Recognition& recognition, const LoopingOptions& options) {
+  constexpr double kAlwaysM = 0.1;
+  const Keyframe& newer = *map.Find(recognition.newer);
+  if (newer.root != map.Find(recognition.older)->root) return true;
+  const Rigid3 drift = recognition.cam_from_world * newer.cam_from_world.Inverse();
+  const double shift_m =
+      (recognition.cam_from_world.OriginInSource() - newer.cam_from_world.OriginInSource()).norm();
+  const double path_m = PathBetween(map, recognition.older, recognition.newer);
+  return shift_m <= kAlwaysM + options.drift_per_metre * path_m &&
+         drift.RotationAngle() * 180 / kPi <= options.max_drift_turn_deg;
+}
+
+}  // namespace yorb

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/map_bundle.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "optimize/observed.h"
+
+namespace yorb {
+namespace {
+
+/// A bundle problem and what its rows are called in the map.
+struct NamedProblem {
+  BundleProblem problem;
+  std::vector<KeyframeId> keyframes;
+  std::vector<LandmarkId> landmarks;
+};
+
+void AddKeyframe(const Map& map, KeyframeId id, bool is_fixed, NamedProblem& named) {
+  named.keyframes.push_back(id);
+  named.problem.poses.push_back(map.Find(id)->cam_from_world);
+  named.problem.is_fixed.push_back(is_fixed);
+}
+
+void AddLandmarks(const Map& map, NamedProblem& named) {
+  std::unordered_map<KeyframeId, uint32_t> row_of;
+  for (uint32_t row = 0; row < named.keyframes.size(); ++row) row_of[named.keyframes[row]] = row;
+  for (uint32_t row = 0; row < named.landmarks.size(); ++row) {
+    const Landmark& landmark = *map.Find(named.landmarks[row]);
+    named.problem.points.push_back(landmark.position);
+    for (const LandmarkView& view : landmark.views) {
+      const auto pose = row_of.find(view.keyframe);
+      if (pose == row_of.end()) continue;
+      named.problem.seen.push_back({pose->second, row, Observed(*map.Find(view.keyframe)->frame, view.index)});
+    }
+  }
+}
+
+NamedProblem Collect(const Map& map, const MapBundlePart& part) {
+  NamedProblem named;
+  for (const KeyframeId id : part.inside) {
+    const bool is_held = std::find(part.held.begin(), part.held.end(), id) != part.held.end();
+    AddKeyframe(map, id, is_held, named);
+  }
+  for (const KeyframeId id : part.around) AddKeyframe(map, id, true, named);
+  named.landmarks = map.SeenBy(part.inside);
+  if (!named.keyframes.empty()) {
+    named.problem.projection = Projection(*map.Find(named.keyframes.front())->frame->rig);
+  }
+  AddLandmarks(map, named);
+  return named;
+}
+
+}  // namespace
+
+MapBundle AdjustMapBundle(const Map& map, const MapBundlePart& part, const BundleOptions& options,
+                          const std::function<bool()>& should_stop) {
+  const NamedProblem named = Collect(map, part);
+  const BundleResult result = AdjustBundle(named.problem, options, should_stop);
+
+  MapBundle bundle;
+  bundle.num_observations = named.problem.seen.size();
+  bundle.initial_cost = result.initial_cost;
+  bundle.final_cost = result.final_cost;
+  bundle.was_stopped = result.was_stopped;
+  for (size_t row = 0; row < named.keyframes.size(); ++row) {
+    if (!named.problem.is_fixed[row]) bundle.poses.emplace_back(named.keyframes[row], result.poses[row]);
+  }
+  for (size_t row = 0; row < named.landmarks.size(); ++row) {
+    bundle.points.emplace_back(named.landmarks[row], result.points[row]);
+  }
+  for (size_t i = 0; i < named.problem.seen.size(); ++i) {
+    const auto& seen = named.problem.seen[i];
+    if (result.is_outlier[i]) bundle.outliers.emplace_back(named.landmarks[seen.point], named.keyframes[seen.pose]);
+  }
+  return bundle;
+}
+
+}  // namespace yorb
