@@ -7,6 +7,7 @@
 #include "detection/detector.h"
 #include "features/orb_extractor.h"
 #include "mapping/mapping_options.h"
+#include "places/places_options.h"
 #include "tracking/tracking_options.h"
 
 namespace yorb {
@@ -34,6 +35,7 @@ struct Config {
   FeatureOptions features;
   TrackingOptions tracking;
   MappingOptions mapping;
+  PlacesOptions places;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -47,6 +49,7 @@ struct Config {
     visit("features", self.features);
     visit("tracking", self.tracking);
     visit("mapping", self.mapping);
+    visit("places", self.places);
   }
 };
 

@@ -18,6 +18,7 @@
 #include "dynamics/remover.h"
 #include "geometry/trajectory.h"
 #include "map/event.h"
+#include "places/vocabulary.h"
 #include "system/config.h"
 
 namespace yorb {
@@ -49,6 +50,7 @@ struct Watched {
 struct SlamParts {
   std::unique_ptr<Detector> detector;            ///< null: nothing is detected
   MotionTable motions = MotionTable::Default();  ///< how the classes of its boxes move
+  VocabularyPtr vocabulary;                      ///< null: no place is recognised by its words
   std::function<void(const Watched&)> watch;     ///< called for each picture, on the thread that extracts; may be empty
 };
 
