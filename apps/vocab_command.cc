@@ -149,8 +149,8 @@ void AddTrain(CLI::App& vocab, Action& action) {
       ->required()
       ->type_name("PICTURE|FOLDER|VIDEO|SEQUENCE");
   command->add_option("--out", a->out, "The vocabulary; written whole or not at all")->required()->type_name("FILE");
-  command->add_option("--branching", a->branching, "Children of each node of the tree [10]")->type_name("N");
-  command->add_option("--levels", a->levels, "Of the tree; branching^levels words at most [5]")->type_name("N");
+  command->add_option("--branching", a->branching, "Children of each node of the tree [20]")->type_name("N");
+  command->add_option("--levels", a->levels, "Of the tree; branching^levels words at most [4]")->type_name("N");
   command->add_option("--seed", a->seed, "Of where clusters begin; the same gives the same bits [1]")->type_name("N");
   command->add_option("--max-pictures", a->most_pictures, "Of more, so many are taken, evenly [5000]")->type_name("N");
   command->add_option("--threads", a->threads, "At most so many; the result is the same [all cores]")->type_name("N");
@@ -159,7 +159,7 @@ void AddTrain(CLI::App& vocab, Action& action) {
       "A run takes it with --set places.vocabulary=FILE.\n"
       "Examples:\n"
       "  yorb vocab train holiday/ office.mp4 --out mine.yvoc\n"
-      "  yorb vocab train pictures/ --levels 6 --max-pictures 20000 --out large.yvoc");
+      "  yorb vocab train pictures/ --levels 5 --max-pictures 20000 --out large.yvoc");
   command->callback([a, &action] { action = [a] { return Train(*a); }; });
 }
 
