@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "core/stopwatch.h"
 
@@ -12,9 +13,9 @@ namespace yorb {
 /// the way elsewhere, nothing when quiet.
 class Progress {
  public:
-  explicit Progress(bool is_quiet);
+  explicit Progress(bool is_quiet, std::string what = "frames");
 
-  /// So many of so many frames are done.
+  /// So many of so many are done.
   void Show(size_t num_done, size_t num_frames);
 
   /// Clears the line on a terminal, so that what follows stands alone.
@@ -24,6 +25,7 @@ class Progress {
   void ShowOnTerminal(size_t num_done, size_t num_frames);
 
   bool is_quiet_, is_terminal_;
+  std::string what_;
   Stopwatch watch_;
   double shown_s_ = -1;  // when a terminal's line was last written
   size_t quarters_shown_ = 0;

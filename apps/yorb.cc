@@ -117,6 +117,7 @@ int ReadAndAct(int argc, char** argv) {
   AddEvalCommand(program, action);
   AddSynthCommand(program, action);
   AddDetectCommand(program, action);
+  AddVocabCommand(program, action);
   AddBenchCommand(program, action);
   try {
     program.parse(argc, argv);

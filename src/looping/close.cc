@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "looping/close.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "optimize/pose_graph.h"
@@ -16,8 +17,21 @@ struct NamedGraph {
   PoseGraph graph;
 };
 
-void AddEdge(NamedGraph& named, KeyframeId from, KeyframeId to, const Rigid3& to_from_from) {
-  named.graph.edges.push_back({named.row_of.at(from), named.row_of.at(to), to_from_from});
+void AddEdge(NamedGraph& named, KeyframeId from, KeyframeId to, const Rigid3& to_from_from, double weight) {
+  named.graph.edges.push_back({named.row_of.at(from), named.row_of.at(to), to_from_from, weight});
+}
+
+/// How many landmarks two keyframes have in common.
+int NumShared(const Keyframe& a, KeyframeId b) {
+  const auto at = std::lower_bound(a.neighbours.begin(), a.neighbours.end(), b,
+                                   [](const Neighbour& neighbour, KeyframeId id) { return neighbour.id < id; });
+  return at != a.neighbours.end() && at->id == b ? at->weight : 0;
+}
+
+/// The more landmarks tie two keyframes, the less they give way to each other: the drift is where they are few.
+double WeightOf(int num_shared) {
+  constexpr double kOne = 100, kMost = 4, kLeast = 0.05;
+  return std::clamp(num_shared / kOne, kLeast, kMost);
 }
 
 /// The keyframes of a sub-map, tied together as they lie now.
@@ -34,7 +48,8 @@ NamedGraph GraphOf(const Map& map, KeyframeId root) {
   for (const KeyframeId id : named.keyframes) {
     const Keyframe& keyframe = *map.Find(id);
     const auto tie = [&](KeyframeId other) {
-      AddEdge(named, other, id, keyframe.cam_from_world * map.Find(other)->cam_from_world.Inverse());
+      const Rigid3 id_from_other = keyframe.cam_from_world * map.Find(other)->cam_from_world.Inverse();
+      AddEdge(named, other, id, id_from_other, WeightOf(NumShared(keyframe, other)));
     };
     if (keyframe.parent.IsValid()) tie(keyframe.parent);
     for (const Neighbour& neighbour : keyframe.neighbours) {
@@ -49,12 +64,11 @@ NamedGraph GraphOf(const Map& map, KeyframeId root) {
 }
 
 Correction CloseWithin(const Map& map, const Recognition& recognition) {
-  constexpr double kWeight = 4;  // seen from one place, where a tie of the graph is the sum of many small errors
   NamedGraph named = GraphOf(map, map.Find(recognition.newer)->root);
   const Rigid3 newer_from_older =
       recognition.cam_from_world * map.Find(recognition.older)->cam_from_world.Inverse();
-  AddEdge(named, recognition.older, recognition.newer, newer_from_older);
-  named.graph.edges.back().weight = kWeight;
+  const double weight = WeightOf(static_cast<int>(recognition.num_inliers));
+  AddEdge(named, recognition.older, recognition.newer, newer_from_older, weight);
   const PoseGraphResult result = AdjustPoseGraph(named.graph);
   Correction correction;
   for (size_t row = 0; row < named.keyframes.size(); ++row) {

@@ -105,12 +105,15 @@ class Grower {
 };
 
 /// How rare each word is: log(1 + pictures / pictures that have it), which is never 0, so that few pictures do, too.
-std::vector<float> RarenessOf(const Vocabulary& vocabulary, const std::vector<std::vector<Descriptor>>& pictures) {
-  std::vector<size_t> num_with(vocabulary.num_words(), 0), last_seen(vocabulary.num_words(), 0);
-  for (size_t i = 0; i < pictures.size(); ++i) {
-    for (const Descriptor& descriptor : pictures[i]) {
-      const uint32_t word = vocabulary.WordOf(descriptor);
-      if (std::exchange(last_seen[word], i + 1) != i + 1) ++num_with[word];
+std::vector<float> RarenessOf(const Vocabulary& vocabulary, const std::vector<std::vector<Descriptor>>& pictures,
+                              int num_threads) {
+  constexpr size_t kPortion = 256;
+  std::vector<size_t> num_with(vocabulary.num_words(), 0);
+  for (size_t begin = 0; begin < pictures.size(); begin += kPortion) {
+    std::vector<Bag> bags(std::min(kPortion, pictures.size() - begin));
+    ParallelFor(bags.size(), num_threads, [&](size_t i) { bags[i] = vocabulary.Describe(pictures[begin + i]); });
+    for (const Bag& bag : bags) {
+      for (const WordWeight& entry : bag.words) ++num_with[entry.word];
     }
   }
   std::vector<float> rareness;
@@ -135,7 +138,7 @@ Result<VocabularyPtr> TrainVocabulary(const std::vector<std::vector<Descriptor>>
   tree->word_weights.assign(static_cast<size_t>(words), 1.f);
   const auto unweighted = Vocabulary::Make(*tree);
   if (!unweighted) return unweighted.error();
-  tree->word_weights = RarenessOf(**unweighted, pictures);
+  tree->word_weights = RarenessOf(**unweighted, pictures, options.num_threads);
   return Vocabulary::Make(*std::move(tree));
 }
 

@@ -14,8 +14,8 @@ namespace yorb {
 
 /// How a vocabulary is trained. The same pictures and options give the same bits, with any number of threads.
 struct TrainingOptions {
-  int branching = 10;    ///< children a node; from 2 to 255
-  int levels = 5;        ///< of the tree, from 1; branching^levels words at most
+  int branching = 20;    ///< children a node; from 2 to 255
+  int levels = 4;        ///< of the tree, from 1; branching^levels words at most
   int64_t seed = 1;      ///< of where clusters begin
   int most_rounds = 12;  ///< of k-medians at each node
   int least_rows = 20;   ///< a node of fewer descriptors is told apart no further

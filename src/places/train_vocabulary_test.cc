@@ -82,22 +82,23 @@ TEST(TrainVocabulary, SameBitsWithAnyNumberOfThreadsOtherBitsWithAnotherSeed) {
 }
 
 TEST(TrainVocabulary, WeighsRareWordsMore) {
-  // One kind of point in every picture, another in one of them.
-  const std::vector<Descriptor> kinds = RandomDescriptors(3, 8);
+  // Two kinds of points in every picture, two others in one of them; a point counts for its own kind and the nearest.
+  const uint64_t all = ~uint64_t{0};
+  const std::vector<Descriptor> kinds = {{0, 0, 0, 0}, {0, 0, 0, 1}, {all, all, all, all}, {all, all, all, all - 1}};
   std::vector<std::vector<Descriptor>> pictures(10);
-  for (auto& picture : pictures) picture.assign(5, kinds[0]);
-  pictures[4].push_back(kinds[1]);
-  pictures[7].assign(4, kinds[2]);
+  for (auto& picture : pictures) picture = {kinds[0], kinds[0], kinds[1], kinds[1]};
+  pictures[4].insert(pictures[4].end(), {kinds[2], kinds[3]});
   TrainingOptions options;
-  options.branching = 3, options.levels = 1, options.least_rows = 2;
+  options.branching = 4, options.levels = 1, options.least_rows = 2;
   const auto vocabulary = TrainVocabulary(pictures, options);
   ASSERT_TRUE(vocabulary);
   const auto weight_of = [&](size_t kind) {
-    return (*vocabulary)->tree().word_weights[(*vocabulary)->WordOf(kinds[kind])];
+    return (*vocabulary)->tree().word_weights[(*vocabulary)->WordsOf(kinds[kind])[0]];
   };
-  EXPECT_NEAR(weight_of(0), std::log1p(10.0 / 9), 1e-6);  // picture 7 is without it
-  EXPECT_NEAR(weight_of(1), std::log1p(10.0), 1e-6);
+  EXPECT_NEAR(weight_of(0), std::log1p(1.0), 1e-6);
+  EXPECT_NEAR(weight_of(1), std::log1p(1.0), 1e-6);
   EXPECT_NEAR(weight_of(2), std::log1p(10.0), 1e-6);
+  EXPECT_NEAR(weight_of(3), std::log1p(10.0), 1e-6);
 }
 
 TEST(TrainVocabulary, FindsAPlaceSeenAgain) {

@@ -50,7 +50,8 @@ Status CheckTree(const VocabularyTree& tree) {
   if (Status sizes = CheckSizes(tree); !sizes) return sizes;
   const auto& counts = tree.num_children;
   const auto num_words = static_cast<size_t>(std::count(counts.begin(), counts.end(), uint8_t{0}));
-  if (!IsOneTree(counts) || tree.centres.size() != counts.size() || tree.word_weights.size() != num_words)
+  if (!IsOneTree(counts) || num_words < 2 || tree.centres.size() != counts.size() ||
+      tree.word_weights.size() != num_words)
     return BadInput("its nodes, centres and words do not make one tree");
   if (*std::max_element(counts.begin(), counts.end()) > tree.branching || DepthOf(counts) > tree.levels)
     return BadInput("its tree has more branches or levels than it says");
@@ -62,6 +63,31 @@ Status CheckTree(const VocabularyTree& tree) {
   if (!says_something) return BadInput("all its words weigh nothing");
   return Status::Ok();
 }
+
+struct Candidate {
+  int distance = 0;
+  uint32_t node = 0;
+};
+
+/// The best few of the candidates that were offered, the nearest first; of equals, the one that was offered first.
+class NearestNodes {
+ public:
+  void Offer(const Candidate& candidate) {
+    if (count_ == kMost && candidate.distance >= kept_[kMost - 1].distance) return;
+    size_t at = count_ < kMost ? count_++ : kMost - 1;
+    for (; at > 0 && candidate.distance < kept_[at - 1].distance; --at) kept_[at] = kept_[at - 1];
+    kept_[at] = candidate;
+  }
+
+  const Candidate* begin() const { return kept_.data(); }
+  const Candidate* end() const { return kept_.data() + count_; }
+
+ private:
+  static constexpr size_t kMost = 4;
+
+  std::array<Candidate, kMost> kept_;
+  size_t count_ = 0;
+};
 
 uint64_t DigestOf(const VocabularyTree& tree) {
   Digest digest;
@@ -90,27 +116,29 @@ Vocabulary::Vocabulary(VocabularyTree tree) : tree_(std::move(tree)), digest_(Di
   }
 }
 
-uint32_t Vocabulary::WordOf(const Descriptor& descriptor) const {
-  uint32_t node = 0;
-  while (tree_.num_children[node] > 0) {
-    const uint32_t first = first_child_[node];
-    uint32_t nearest = first;
-    int least = 257;
-    for (uint32_t child = first; child < first + tree_.num_children[node]; ++child) {
-      const int distance = HammingDistance(descriptor, tree_.centres[child]);
-      if (distance < least) least = distance, nearest = child;
+NearestWords Vocabulary::WordsOf(const Descriptor& descriptor) const {
+  NearestNodes nearest;
+  nearest.Offer({0, 0});
+  for (bool goes_down = true; goes_down;) {
+    goes_down = false;
+    NearestNodes below;
+    for (const Candidate& candidate : nearest) {
+      const uint32_t count = tree_.num_children[candidate.node], first = first_child_[candidate.node];
+      if (count == 0) below.Offer(candidate);
+      for (uint32_t child = first; child < first + count; ++child)
+        below.Offer({HammingDistance(descriptor, tree_.centres[child]), child});
+      goes_down = goes_down || count > 0;
     }
-    node = nearest;
+    nearest = below;
   }
-  return first_child_[node];
+  return {first_child_[nearest.begin()[0].node], first_child_[nearest.begin()[1].node]};
 }
 
 Bag Vocabulary::Describe(const std::vector<Descriptor>& descriptors) const {
   std::vector<WordWeight> words;
-  words.reserve(descriptors.size());
+  words.reserve(descriptors.size() * NearestWords().size());
   for (const Descriptor& descriptor : descriptors) {
-    const uint32_t word = WordOf(descriptor);
-    words.push_back({word, tree_.word_weights[word]});
+    for (const uint32_t word : WordsOf(descriptor)) words.push_back({word, tree_.word_weights[word]});
   }
   return BagOf(std::move(words));
 }

@@ -5,6 +5,7 @@
 // Runs on: any thread; a Vocabulary is const, a PlaceIndex belongs to who holds it. May not: know poses or maps.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -21,15 +22,19 @@ constexpr size_t kMostTreeNodes = size_t{1} << 25;
 
 /// What a vocabulary is made of: a tree whose nodes stand breadth first, so that children lie next to each other.
 struct VocabularyTree {
-  int branching = 10;                 ///< at most so many children a node
-  int levels = 5;                     ///< the deepest word is so many steps below the root
+  int branching = 20;                 ///< at most so many children a node
+  int levels = 4;                     ///< the deepest word is so many steps below the root
   std::vector<uint8_t> num_children;  ///< of each node, the root first; 0: the node is a word
   std::vector<Descriptor> centres;    ///< of each node; the root's says nothing
   std::vector<float> word_weights;    ///< how rare each word is (idf), in the order of the nodes that are words
 };
 
-/// Tells descriptors apart by a tree of binary centres: at each node the nearest child, until a word is reached. Const
-/// once built.
+/// The words nearest to a descriptor; a vocabulary has two at least.
+using NearestWords = std::array<uint32_t, 2>;
+
+/// Tells descriptors apart by a tree of binary centres. From the root down, the few nearest nodes of a level are
+/// followed, and a descriptor counts for the two nearest words that they lead to: the one greedy way down, to one word,
+/// is much less sure to be the same when the point is seen again. Const once built.
 class Vocabulary {
  public:
   /// Bad input, without a file's name, where the parts do not make one tree.
@@ -38,8 +43,8 @@ class Vocabulary {
   /// The words of a picture.
   Bag Describe(const std::vector<Descriptor>& descriptors) const;
 
-  /// The word nearest to a descriptor, in [0, num_words()).
-  uint32_t WordOf(const Descriptor& descriptor) const;
+  /// The words that a descriptor counts for, each in [0, num_words()), the nearest first.
+  NearestWords WordsOf(const Descriptor& descriptor) const;
 
   size_t num_words() const { return tree_.word_weights.size(); }
   int branching() const { return tree_.branching; }

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "features/hamming.h"
 #include "places/test_descriptors.h"
@@ -59,19 +61,51 @@ TEST(Bag, NothingIsLikeAnEmptyBag) {
   EXPECT_TRUE(BagOf({{1, 0.f}}).words.empty());
 }
 
-TEST(Vocabulary, GoesDownToTheNearestWord) {
+TEST(Vocabulary, CountsForTheTwoNearestWords) {
   const auto vocabulary = Vocabulary::Make(SmallTree());
   ASSERT_TRUE(vocabulary);
   EXPECT_EQ((*vocabulary)->num_words(), 3u);
   const uint64_t all = ~uint64_t{0};
-  EXPECT_EQ((*vocabulary)->WordOf({all, all, all, 1}), 0u);  // the root's own word comes first, breadth first
-  EXPECT_EQ((*vocabulary)->WordOf({1, 0, 0, 0}), 1u);
-  EXPECT_EQ((*vocabulary)->WordOf({all, 7, 0, 0}), 2u);
+  // Words are numbered breadth first: 0 has all bits, 1 none, 2 a quarter.
+  EXPECT_EQ((*vocabulary)->WordsOf({all, all, all, 1}), (NearestWords{0, 2}));
+  EXPECT_EQ((*vocabulary)->WordsOf({1, 0, 0, 0}), (NearestWords{1, 2}));
+  EXPECT_EQ((*vocabulary)->WordsOf({all, 7, 0, 0}), (NearestWords{2, 1}));
   const Bag bag = (*vocabulary)->Describe({{all, all, all, 1}, {all, 7, 0, 0}});
-  ASSERT_EQ(bag.words.size(), 2u);
-  EXPECT_FLOAT_EQ(bag.words[0].weight, 0.25f);
-  EXPECT_FLOAT_EQ(bag.words[1].weight, 0.75f);
+  ASSERT_EQ(bag.words.size(), 3u);
+  EXPECT_FLOAT_EQ(bag.words[0].weight, 1.f / 9);
+  EXPECT_FLOAT_EQ(bag.words[1].weight, 2.f / 9);
+  EXPECT_FLOAT_EQ(bag.words[2].weight, 6.f / 9);
   EXPECT_TRUE((*vocabulary)->Describe({}).words.empty());
+}
+
+/// The same way down with sorted lists.
+NearestWords SlowWords(const VocabularyTree& tree, const Descriptor& descriptor) {
+  std::vector<size_t> first_child, number;
+  size_t next_child = 1, next_word = 0;
+  for (const uint8_t count : tree.num_children) {
+    first_child.push_back(next_child);
+    number.push_back(count == 0 ? next_word++ : 0);
+    next_child += count;
+  }
+  std::vector<std::pair<int, size_t>> nearest = {{0, 0}};
+  for (int level = 0; level < tree.levels; ++level) {
+    std::vector<std::pair<int, size_t>> below;
+    for (const auto& [distance, node] : nearest) {
+      if (tree.num_children[node] == 0) below.push_back({distance, node});
+      for (size_t i = 0; i < tree.num_children[node]; ++i)
+        below.push_back({HammingDistance(descriptor, tree.centres[first_child[node] + i]), first_child[node] + i});
+    }
+    std::stable_sort(below.begin(), below.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    below.resize(std::min<size_t>(4, below.size()));
+    nearest = below;
+  }
+  return {static_cast<uint32_t>(number[nearest[0].second]), static_cast<uint32_t>(number[nearest[1].second])};
+}
+
+TEST(Vocabulary, FollowsTheFourNearestNodes) {
+  const VocabularyPtr vocabulary = SmallVocabulary();
+  for (const Descriptor& descriptor : RandomDescriptors(300, 17))
+    EXPECT_EQ(vocabulary->WordsOf(descriptor), SlowWords(vocabulary->tree(), descriptor));
 }
 
 TEST(Vocabulary, DigestTellsEveryPartApart) {
@@ -104,6 +138,7 @@ TEST(Vocabulary, WhatIsNoTreeIsRefused) {
   EXPECT_TRUE(refused([](VocabularyTree& tree) { tree.word_weights[0] = std::numeric_limits<float>::quiet_NaN(); }));
   EXPECT_TRUE(refused([](VocabularyTree& tree) { tree.levels = 1; }));
   EXPECT_TRUE(refused([](VocabularyTree& tree) { tree.branching = 0; }));
+  EXPECT_TRUE(refused([](VocabularyTree& tree) { tree.word_weights = {0, 0, 0}; }));
   EXPECT_TRUE(refused([](VocabularyTree& tree) { tree = {}; }));
 }
 

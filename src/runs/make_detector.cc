@@ -14,6 +14,7 @@
 #include "detection/file_detector.h"
 #include "detection/motion_category.h"
 #include "detection/yolo_detector.h"
+#include "runs/find_vocabulary.h"
 
 namespace yorb {
 namespace {
@@ -63,6 +64,9 @@ Status TakeNetwork(const Config& config, RunParts& parts) {
 
 Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
   RunParts parts;
+  auto vocabulary = FindVocabulary(config.places);
+  if (!vocabulary) return vocabulary.error();
+  parts.slam.vocabulary = *std::move(vocabulary);
   if (config.dynamics == "off") return parts;
   if (config.dynamics == "exact" && config.detections.empty()) {
     return BadInput("--dynamics exact needs boxes: name their file with --detections");

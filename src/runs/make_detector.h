@@ -15,8 +15,8 @@ struct RunParts {
   size_t num_boxes_unmatched = 0;  ///< of a box file, that fit no frame
 };
 
-/// The detector that a run needs, and how its classes move: none with `dynamics` off; the boxes of `detections` where a
-/// file is named (exact needs one); else the network. Bad input names file and remedy.
+/// The vocabulary, the detector that a run needs, and how its classes move: none with `dynamics` off; the boxes of
+/// `detections` where a file is named (exact needs one); else the network. Bad input names file and remedy.
 Result<RunParts> MakeParts(const Config& config, const Dataset& dataset);
 
 }  // namespace yorb

@@ -25,6 +25,7 @@ class FileSource : public PictureSource {
   }
 
   bool HasNext() override { return next_ < entries_.size(); }
+  size_t NumLeft() const override { return entries_.size() - next_; }
 
   Result<SourcePicture> Next() override {
     SourcePicture entry = entries_[next_++];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -30,6 +31,9 @@ class PictureSource {
 
   /// Reads it. Bad input for a picture that cannot be read; those behind it may be fine.
   virtual Result<SourcePicture> Next() = 0;
+
+  /// How many pictures are left; 0 where that is not known before they are read (a video).
+  virtual size_t NumLeft() const { return 0; }
 };
 
 /// Opens what a path names. Bad input where it is missing, a folder without pictures, or no kind that is known.

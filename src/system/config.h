@@ -8,6 +8,7 @@
 #include "features/orb_extractor.h"
 #include "looping/looping_options.h"
 #include "mapping/mapping_options.h"
+#include "places/places_options.h"
 #include "tracking/tracking_options.h"
 
 namespace yorb {
@@ -39,6 +40,7 @@ struct Config {
   TrackingOptions tracking;
   MappingOptions mapping;
   LoopingOptions looping;
+  PlacesOptions places;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -55,6 +57,7 @@ struct Config {
     visit("tracking", self.tracking);
     visit("mapping", self.mapping);
     visit("looping", self.looping);
+    visit("places", self.places);
   }
 };
 

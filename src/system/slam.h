@@ -59,7 +59,7 @@ struct SlamParts {
   MapSnapshot map;                               ///< to go on from, or to be located in; null: a new one is begun
   std::unique_ptr<Detector> detector;            ///< null: nothing is detected
   MotionTable motions = MotionTable::Default();  ///< how the classes of its boxes move
-  VocabularyPtr vocabulary;                      ///< null: places are not recognised, no loops are closed
+  VocabularyPtr vocabulary;                      ///< null: no place is recognised by its words
   std::function<void(const Watched&)> watch;     ///< called for each picture, on the thread that extracts; may be empty
 };
 
