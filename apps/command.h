@@ -21,6 +21,7 @@ void AddEvalCommand(CLI::App& program, Action& action);
 void AddSynthCommand(CLI::App& program, Action& action);
 void AddDetectCommand(CLI::App& program, Action& action);
 void AddVocabCommand(CLI::App& program, Action& action);
+void AddMapCommand(CLI::App& program, Action& action);
 void AddBenchCommand(CLI::App& program, Action& action);
 
 /// Exit codes; 130 and 143 after SIGINT and SIGTERM are given by `run` itself.

@@ -118,6 +118,7 @@ int ReadAndAct(int argc, char** argv) {
   AddSynthCommand(program, action);
   AddDetectCommand(program, action);
   AddVocabCommand(program, action);
+  AddMapCommand(program, action);
   AddBenchCommand(program, action);
   try {
     program.parse(argc, argv);

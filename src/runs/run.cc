@@ -39,7 +39,7 @@ struct Run {
   Stopwatch watch;
   double last_saved_s = 0;
   size_t num_boxes_unmatched = 0;
-  MapFacts map_facts;  ///< of the map that was loaded
+  VocabularyPtr vocabulary;  ///< of this run; may be null
 };
 
 RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& report, size_t num_frames) {
@@ -152,7 +152,7 @@ void WarnOfMissingMap(const Run& run, const FeedLog& fed, const SlamReport& repo
 /// The map into its file, whatever the end of the run is.
 void SaveMap(const Run& run, const Slam& slam, RunSummary& summary) {
   if (run.options.save_map.empty()) return;
-  const auto is_written = SaveRunMap(run.options.save_map, *slam.Snapshot(), run.map_facts);
+  const auto is_written = SaveRunMap(run.options.save_map, *slam.Snapshot(), run.vocabulary.get());
   if (!is_written) {
     summary.error = is_written.error();
   } else if (*is_written) {
@@ -196,8 +196,8 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
   run.num_boxes_unmatched = parts->num_boxes_unmatched;
   auto loaded = LoadRunMap(options.config, dataset.rig());
   if (!loaded) return loaded.error();
-  parts->slam.map = std::move(loaded->map);
-  run.map_facts = std::move(loaded->facts);
+  parts->slam.map = *std::move(loaded);
+  run.vocabulary = parts->slam.vocabulary;
   if (options.out.empty()) {
     auto made = MakeDefaultRunFolder();
     if (!made) return made.error();

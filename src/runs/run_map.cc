@@ -14,6 +14,12 @@ std::string CountsOf(const Map& map) {
   return std::to_string(map.num_keyframes()) + " keyframes, " + std::to_string(map.num_landmarks()) + " landmarks";
 }
 
+std::string DigestText(uint64_t digest) {
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[digest >> shift & 15];
+  return text;
+}
+
 void WarnOfOtherCamera(const std::string& path, const Map& map, const Rig& rig) {
   std::string other;
   map.VisitKeyframes([&](const Keyframe& keyframe) {
@@ -39,22 +45,22 @@ Status CheckMapOptions(const Config& config, const std::string& save_map) {
   return CheckMapTarget(save_map);
 }
 
-Result<RunMap> LoadRunMap(const Config& config, const Rig& rig) {
-  if (config.load_map.empty()) return RunMap();
+Result<MapSnapshot> LoadRunMap(const Config& config, const Rig& rig) {
+  if (config.load_map.empty()) return MapSnapshot();
   auto saved = ReadMapFile(config.load_map);
   if (!saved) return saved.error();
   if (saved->map.num_keyframes() == 0) return BadInput(config.load_map + " holds no keyframe; make the map anew");
   LogInfo("map " + config.load_map + ": " + CountsOf(saved->map));
   if (config.localize_only) WarnOfOtherCamera(config.load_map, saved->map, rig);
-  return RunMap{std::make_shared<const Map>(std::move(saved->map)), std::move(saved->facts)};
+  return MapSnapshot(std::make_shared<const Map>(std::move(saved->map)));
 }
 
-Result<bool> SaveRunMap(const std::string& path, const Map& map, const MapFacts& facts) {
+Result<bool> SaveRunMap(const std::string& path, const Map& map, const Vocabulary* vocabulary) {
   if (map.num_keyframes() == 0) {
     LogWarning("map-empty", path + " was not written: there is no map");
     return false;
   }
-  const Status written = WriteMapFile(path, map, facts);
+  const Status written = WriteMapFile(path, map, {vocabulary ? DigestText(vocabulary->digest()) : ""});
   if (!written) return written.error();
   LogInfo("map in " + path + ": " + CountsOf(map));
   return true;

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "runs/map_to_cloud.h"
+
+#include <memory>
+#include <utility>
+
+#include "core/file_draft.h"
+#include "core/text.h"
+#include "datasets/masked_dataset.h"
+#include "datasets/open_dataset.h"
+#include "runs/dense_cloud.h"
+#include "runs/map_export.h"
+#include "system/config_io.h"
+
+namespace yorb {
+namespace {
+
+/// A recording with the masks that the user names.
+struct Recording {
+  std::unique_ptr<Dataset> plain;
+  std::unique_ptr<MaskedDataset> masked;
+  const Dataset& dataset() const { return masked ? *masked : *plain; }
+};
+
+/// Opened with the camera of the map, which knows it better than a folder's name.
+Result<Recording> Open(const DenseRequest& dense, const Map& map) {
+  const Rig& rig = *map.Find(map.newest_keyframe())->frame->rig;
+  Recording recording;
+  auto plain = OpenDataset(*dense.sequence, ChosenCamera{rig, "of the map", true});
+  if (!plain) return plain.error();
+  recording.plain = *std::move(plain);
+  if (dense.config.masks.empty()) return recording;
+  auto masked = MaskedDataset::Open(*recording.plain, dense.config.masks);
+  if (!masked) return masked.error();
+  recording.masked = *std::move(masked);
+  return recording;
+}
+
+Status CheckRequest(const DenseRequest& dense, MapExport kind, const std::string& out) {
+  if (dense.sequence && kind == MapExport::kKeyframes) {
+    return BadInput("--dense makes points; name a .ply or .pcd file with --out, not " + out);
+  }
+  if (dense.config.dynamics != "full" && dense.config.dynamics != "off") {
+    return BadInput("--dynamics " + dense.config.dynamics + ": full or off is expected");
+  }
+  if (!(dense.cube_m >= 0.001 && dense.cube_m <= 10)) {
+    return BadInput("--cube " + FormatShortest(dense.cube_m) + ": a side from 0.001 to 10 metres is expected");
+  }
+  return ValidateConfig(dense.config);
+}
+
+std::string LineOf(const std::string& path, size_t count, const char* what) {
+  return path + ": " + std::to_string(count) + " " + what;
+}
+
+Result<ExportReport> ExportDense(const Map& map, const std::string& out, MapExport kind, const DenseRequest& dense,
+                                 const std::function<bool()>& should_stop) {
+  const auto recording = Open(dense, map);
+  if (!recording) return recording.error();
+  const auto parts = MakeParts(dense.config, recording->dataset());
+  if (!parts) return parts.error();
+  const DenseOptions options{dense.cube_m, should_stop};
+  auto made = MakeDenseClouds(map, RootsBySize(map), recording->dataset(), *parts, options);
+  if (!made) return made.error();
+  ExportReport report;
+  report.was_stopped = made->was_stopped;
+  if (made->was_stopped) return report;
+  report.lines.push_back(std::to_string(made->num_keyframes) + " of " + std::to_string(map.num_keyframes()) +
+                         " keyframes have their pictures in " + *dense.sequence + "; people in " +
+                         std::to_string(made->num_with_people) + " of them");
+  std::vector<FileToWrite> files;
+  for (size_t i = 0; i < made->clouds.size(); ++i) {
+    if (made->clouds[i].points.empty() && i > 0) continue;
+    files.push_back({NumberedPath(out, i + 1), CloudBytes(made->clouds[i], kind)});
+    report.lines.push_back(LineOf(files.back().path, made->clouds[i].points.size(), "points"));
+  }
+  const Status written = WriteFilesTogether(files);
+  if (!written) return written.error();
+  return report;
+}
+
+Result<ExportReport> ExportLandmarksOrKeyframes(const Map& map, const std::string& out, MapExport kind) {
+  const std::vector<FileToWrite> files = ExportedFiles(map, out, kind);
+  const Status written = WriteFilesTogether(files);
+  if (!written) return written.error();
+  ExportReport report;
+  const bool are_keyframes = kind == MapExport::kKeyframes;
+  report.lines.push_back(LineOf(out, are_keyframes ? map.num_keyframes() : map.num_landmarks(),
+                                are_keyframes ? "keyframes" : "landmarks"));
+  if (files.size() > 1) {
+    report.lines.back() += ", in " + std::to_string(files.size()) + " files up to " + files.back().path +
+                           ", one a sub-map, each with a world of its own";
+  }
+  return report;
+}
+
+}  // namespace
+
+Result<ExportReport> ExportMap(const std::string& file, const std::string& out, const DenseRequest& dense,
+                               const std::function<bool()>& should_stop) {
+  const auto kind = MapExportOf(out);
+  if (!kind) return kind.error();
+  const Status fine = CheckRequest(dense, *kind, out);
+  if (!fine) return fine.error();
+  const auto saved = ReadMapFile(file);
+  if (!saved) return saved.error();
+  if (saved->map.num_keyframes() == 0) return BadInput(file + " holds no keyframe; there is nothing to export");
+  const auto draft = FileDraft::Open(out);  // let go at once: whether a file can be made there
+  if (!draft) return BadInput("nothing can be written there: " + draft.error().message);
+  if (dense.sequence) return ExportDense(saved->map, out, *kind, dense, should_stop);
+  return ExportLandmarksOrKeyframes(saved->map, out, *kind);
+}
+
+}  // namespace yorb
