@@ -195,6 +195,39 @@ TEST_F(RunMaps, AreSavedWholeWhereNothingIsSeenAny) {
   ExpectCounts(made, "b.map");
 }
 
+/// Another wall: this one in a mirror.
+class OtherWall : public WallDataset {
+ public:
+  using WallDataset::WallDataset;
+  Result<LoadedFrame> Load(size_t i) const override {
+    auto frame = WallDataset::Load(i);
+    cv::flip(frame->images->grey, frame->images->grey, 1);
+    return frame;
+  }
+};
+
+TEST_P(RunMaps, GetANewSubmapWhereNothingIsRecognised) {
+  Done(WallDataset(30), Options("a", "", "a.map"));
+  RunOptions options = Options("b", "a.map", "b.map");
+  options.config.mode = GetParam();
+  options.config.tracking.new_map_after_s = 0.5;
+  const RunSummary elsewhere = Done(OtherWall(60), options);
+  EXPECT_EQ(elsewhere.tracked, 0u) << "trajectory.txt is in the world of the map that was loaded";
+  EXPECT_EQ(AlongTheWall("b/trajectory.txt").size(), 0u);
+  EXPECT_GT(AlongTheWall("b/trajectory_2.txt").size(), 20u);
+  ExpectCounts(elsewhere, "b.map");
+  EXPECT_EQ(Text("b/keyframes.txt"), Text("a/keyframes.txt"));
+
+  options = Options("c", "b.map", "");
+  options.config.localize_only = true;
+  EXPECT_GT(Done(WallDataset(20), options).tracked, 18u) << "the first place is still known";
+  options.config.tracking.new_map_after_s = 0;
+  options.config.load_map = In("a.map");
+  const RunSummary lost = Done(OtherWall(20), options);
+  EXPECT_EQ(lost.tracked, 0u);
+  EXPECT_EQ(lost.keyframes, ReadMapFile(In("a.map"))->map.num_keyframes()) << "nothing begins while locating only";
+}
+
 TEST_F(RunMaps, WithoutAKeyframeAreNotWritten) {
   const RunSummary summary = Done(DarkWall(10), Options("a", "", "a.map"));
   EXPECT_FALSE(summary.error);
