@@ -22,6 +22,8 @@ struct RunArguments {
   SequenceArguments sequence;
   std::optional<std::string> out;
   std::string overlay;
+  std::optional<std::string> save_map, load_map;
+  bool localizes_only = false;
   bool is_quiet = false;
 };
 
@@ -33,6 +35,7 @@ void PrintSummary(const RunSummary& summary) {
               FormatFixed(summary.wall_s, 1).c_str());
   if (summary.skipped > 0) std::printf("%zu pictures could not be read and were skipped\n", summary.skipped);
   if (summary.dropped > 0) std::printf("%zu frames came too fast and were dropped\n", summary.dropped);
+  if (!summary.map.empty()) std::printf("map in %s\n", summary.map.c_str());
   std::printf("results in %s: trajectory.txt keyframes.txt metrics.json frames.csv report.html\n", summary.out.c_str());
 }
 
@@ -47,13 +50,22 @@ Trajectory TruthBeside(const std::string& folder) {
   return {};
 }
 
+/// The options about maps are settings, so that config.yaml has them; they win over `--set`.
+Result<OpenedSequence> Open(const RunArguments& arguments) {
+  SequenceArguments sequence = arguments.sequence;
+  if (arguments.load_map) sequence.settings.push_back("load_map=" + *arguments.load_map);
+  if (arguments.localizes_only) sequence.settings.push_back("localize_only=true");
+  return OpenSequence(sequence);
+}
+
 Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
-  auto sequence = OpenSequence(arguments.sequence);
+  auto sequence = Open(arguments);
   if (!sequence) return sequence.error();
   RunOptions options;
   options.config = sequence->config;
   options.out = arguments.out.value_or("");
   options.overlay = arguments.overlay;
+  options.save_map = arguments.save_map.value_or("");
   options.title = std::filesystem::path(sequence->folder).lexically_normal().string();
   options.reference = TruthBeside(sequence->folder);
   Progress progress(arguments.is_quiet);
@@ -68,6 +80,8 @@ Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
 int Run(const RunArguments& arguments) {
   CatchSignals();
   if (arguments.out && arguments.out->empty()) return Complain(BadInput("--out is empty; name a folder"));
+  if (arguments.save_map && arguments.save_map->empty()) return Complain(BadInput("--save-map is empty; name a file"));
+  if (arguments.load_map && arguments.load_map->empty()) return Complain(BadInput("--load-map is empty; name a file"));
   const Status started = StartLog({.keeps_text = true});
   if (!started) return Complain(started.error());
   const auto summary = RunAsAsked(arguments);
@@ -87,6 +101,11 @@ void AddRunCommand(CLI::App& program, Action& action) {
   const auto arguments = std::make_shared<RunArguments>();
   arguments->sequence.AddTo(*command);
   command->add_option("--out", arguments->out, "The folder for the results; left out: a new one, yorb_DATE_TIME");
+  command->add_option("--save-map", arguments->save_map,
+                      "A file for the map, written whole at every end; an older map there is replaced then");
+  command->add_option("--load-map", arguments->load_map, "A file of --save-map to go on from; it is only read");
+  command->add_flag("--localize-only", arguments->localizes_only,
+                    "The camera is only located in the map of --load-map, which stays as it is");
   command->add_option("--save-overlay", arguments->overlay,
                       "A folder for a PNG of each frame with its boxes and points, and points.csv");
   command->add_flag("--quiet", arguments->is_quiet, "Nothing on standard output; warnings still go to standard error");
@@ -96,6 +115,8 @@ void AddRunCommand(CLI::App& program, Action& action) {
       "  yorb run my_room --camera my_camera.yaml --out results\n"
       "  yorb run my_room --camera tum_fr1 --mode inline --seed 3 --set features.wanted=1500\n"
       "  yorb run my_room --config results/config.yaml --out again     the same run, to the bit if it was inline\n"
+      "  yorb run monday --save-map office.map; yorb run tuesday --load-map office.map --save-map office.map\n"
+      "  yorb run photos --load-map office.map --localize-only\n"
       "Ctrl-C ends a run early; everything computed so far is written.");
   command->callback([arguments, &action] { action = [arguments] { return Run(*arguments); }; });
 }

@@ -57,6 +57,11 @@ Eigen::Vector2d Pinhole::Distort(const Eigen::Vector2d& ideal_px) const {
   return {fx * x_d + cx, fy * y_d + cy};
 }
 
+bool Rig::ProjectsLike(const Rig& other) const {
+  const Pinhole &a = camera, &b = other.camera;
+  return a.fx == b.fx && a.fy == b.fy && a.cx == b.cx && a.cy == b.cy && baseline_px == other.baseline_px;
+}
+
 PixelBounds Rig::Bounds() const {
   const float right = static_cast<float>(camera.width), bottom = static_cast<float>(camera.height);
   if (!camera.HasDistortion()) return {0, right, 0, bottom};

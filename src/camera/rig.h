@@ -56,6 +56,9 @@ struct Rig {
   double fps = 30;       ///< nominal rate of the colour pictures; 0: not stated (a Dataset fills it in)
   std::string name;      ///< of the file or the built-in camera, for messages
 
+  /// Whether ideal pixels and disparities mean the same in both.
+  bool ProjectsLike(const Rig& other) const;
+
   double CloseDepth() const { return close_factor * baseline_px / camera.fx; }
 
   /// The ideal pixels that the picture's border encloses.

@@ -12,8 +12,10 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/result.h"
 #include "map/keyframe.h"
 #include "map/landmark.h"
+#include "map/map_parts.h"
 #include "map/paged_table.h"
 
 namespace yorb {
@@ -58,14 +60,23 @@ class Map {
   size_t num_landmarks() const { return landmarks_.size(); }
   KeyframeId newest_keyframe() const { return newest_keyframe_; }
 
-  /// The id that the next keyframe will have.
+  /// The ids that the next ones will have, and what is known of the keyframes that are not there any more.
   KeyframeId next_keyframe() const { return keyframes_.next_id(); }
+  LandmarkId next_landmark() const { return landmarks_.next_id(); }
+  std::vector<RemovedKeyframe> RemovedKeyframes() const;
 
   /// Loops that were closed.
   size_t num_loops() const { return num_loops_; }
 
   /// The first broken invariant in words, empty when all hold. Slow: for tests.
   std::string Check() const;
+
+  // ---- beginning --------------------------------------------------------------------------------------------------
+  /// The map of these parts. Bad input, in words, where they do not make one.
+  static Result<Map> FromParts(MapParts parts);
+
+  /// A map of one's own to go on from a snapshot, which never changes.
+  static Map Continuing(const Map& snapshot);
 
   // ---- writing, by the mapper -------------------------------------------------------------------------------------
   /// What others read from now on; this map goes on.
@@ -132,6 +143,11 @@ class Map {
   void SetParent(KeyframeId child, KeyframeId parent);
   void DropChild(KeyframeId parent, KeyframeId child);
   bool IsAbove(KeyframeId above, KeyframeId id) const;
+  Status TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId next);
+  Status TakeRemoved(const std::vector<RemovedKeyframe>& removed);
+  Status TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId next);
+  void FindRoots();
+  Status LinkViews();
 
   PagedTable<Keyframe> keyframes_;
   PagedTable<Landmark> landmarks_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "map/count_shared.h"
 #include "map/map.h"
 
 namespace yorb {
@@ -26,20 +27,19 @@ std::string CheckLandmark(const Map& map, const Landmark& landmark) {
   return {};
 }
 
-std::string CheckKeyframe(const Map& map, const Keyframe& keyframe) {
+std::string CheckKeyframe(const Map& map, const Keyframe& keyframe, SharedCounter& counter) {
   if (keyframe.landmarks.size() != keyframe.frame->size()) return Name(keyframe.id) + " has rows for other keypoints";
   if (!keyframe.cam_from_world.IsFinite()) return Name(keyframe.id) + " is nowhere";
-  std::unordered_map<KeyframeId, int> shared;
   for (const LandmarkId id : keyframe.landmarks) {
     if (!id.IsValid()) continue;
     const Landmark* landmark = map.Find(id);
     if (!landmark || !landmark->ViewOf(keyframe.id)) return Name(keyframe.id) + " sees " + Name(id) + " alone";
-    for (const LandmarkView& view : landmark->views) ++shared[view.keyframe];
   }
-  shared.erase(keyframe.id);
+  const std::vector<Neighbour> shared = counter.Count(map, keyframe);
   if (shared.size() != keyframe.neighbours.size()) return Name(keyframe.id) + " has wrong neighbours";
-  for (const Neighbour& neighbour : keyframe.neighbours) {
-    if (shared[neighbour.id] != neighbour.weight) return Name(keyframe.id) + " has a wrong weight";
+  for (size_t i = 0; i < shared.size(); ++i) {
+    if (shared[i].id != keyframe.neighbours[i].id) return Name(keyframe.id) + " has wrong neighbours";
+    if (shared[i].weight != keyframe.neighbours[i].weight) return Name(keyframe.id) + " has a wrong weight";
   }
   return {};
 }
@@ -70,11 +70,12 @@ std::string CheckTree(const Map& map, const Keyframe& keyframe) {
 
 std::string Map::Check() const {
   std::string broken;
+  SharedCounter counter;
   VisitLandmarks([&](const Landmark& landmark) {
     if (broken.empty()) broken = CheckLandmark(*this, landmark);
   });
   VisitKeyframes([&](const Keyframe& keyframe) {
-    if (broken.empty()) broken = CheckKeyframe(*this, keyframe);
+    if (broken.empty()) broken = CheckKeyframe(*this, keyframe, counter);
     if (broken.empty()) broken = CheckTree(*this, keyframe);
   });
   for (const auto& [from, into] : merged_into_) {

@@ -32,12 +32,18 @@ class PagedTable {
   /// The next id, with `row` behind it.
   Id<T> Add(T row) {
     const Id<T> id(next_++);
-    if (PageOf(id) == pages_.size()) pages_.push_back(std::make_shared<Page>(Page{generation_, 0, {}}));
+    if (PageOf(id) >= pages_.size()) pages_.resize(PageOf(id) + 1);
     Page& page = WritablePage(id);
     page.rows[SlotOf(id)].emplace(std::move(row));
     ++page.count;
     ++size_;
     return id;
+  }
+
+  /// The ids below `next` that were not given yet never will be: the next row has this one.
+  void SkipTo(Id<T> next) {
+    YORB_CHECK(next.value() >= next_, "ids are never used again");
+    next_ = next.value();
   }
 
   /// The row, or null where it was removed or never was.

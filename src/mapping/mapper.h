@@ -33,9 +33,8 @@ struct MappingTimes {
 
 class Mapper {
  public:
-  /// Without a vocabulary (null), keyframes have no bags of words.
-  explicit Mapper(const MappingOptions& options, VocabularyPtr vocabulary = nullptr)
-      : options_(options), vocabulary_(std::move(vocabulary)) {}
+  /// Goes on from the map `start`. Without a vocabulary (null), keyframes have no bags of words.
+  explicit Mapper(const MappingOptions& options, VocabularyPtr vocabulary = nullptr, Map start = {});
 
   /// Takes a proposal in. `Snapshot()` then shows what came of it.
   MappingTimes Handle(const Proposal& proposal, const MapperHooks& hooks);
@@ -48,6 +47,7 @@ class Mapper {
 
  private:
   KeyframeId Insert(const Proposal& proposal);
+  void Describe(KeyframeId id);
   void TieTogether(const SamePlace& place);
   void TakeOut(const std::vector<std::pair<LandmarkId, KeyframeId>>& outliers);
   void AdjustAround(KeyframeId center, const std::function<bool()>& should_stop);

@@ -22,6 +22,7 @@
 #include "runs/resources.h"
 #include "runs/results.h"
 #include "runs/run_folder.h"
+#include "runs/run_map.h"
 #include "runs/run_report.h"
 #include "system/config_io.h"
 #include "system/slam.h"
@@ -38,6 +39,7 @@ struct Run {
   Stopwatch watch;
   double last_saved_s = 0;
   size_t num_boxes_unmatched = 0;
+  MapFacts map_facts;  ///< of the map that was loaded
 };
 
 RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& report, size_t num_frames) {
@@ -136,10 +138,26 @@ void LogSummary(const RunSummary& summary) {
 
 /// Why there is no pose at all, where it is not for want of depth, of which the feeder has told.
 void WarnOfMissingMap(const Run& run, const FeedLog& fed, const SlamReport& report) {
-  if (!fed.had_depth || report.frames.empty() || report.num_keyframes > 0) return;
+  if (report.frames.empty()) return;
+  if (report.num_keyframes > 0 && report.trajectory().empty()) {
+    LogWarning("not-in-map", "none of the " + std::to_string(report.frames.size()) + " frames was found in the map " +
+                                 run.options.config.load_map);
+  }
+  if (!fed.had_depth || report.num_keyframes > 0) return;
   LogWarning("no-map", "no map began: none of the " + std::to_string(report.frames.size()) + " frames shows " +
                            std::to_string(run.options.config.tracking.min_first_points) +
                            " corners with depth; is the picture black, blank or very small?");
+}
+
+/// The map into its file, whatever the end of the run is.
+void SaveMap(const Run& run, const Slam& slam, RunSummary& summary) {
+  if (run.options.save_map.empty()) return;
+  const auto is_written = SaveRunMap(run.options.save_map, *slam.Snapshot(), run.map_facts);
+  if (!is_written) {
+    summary.error = is_written.error();
+  } else if (*is_written) {
+    summary.map = run.options.save_map;
+  }
 }
 
 /// A run that ended before its first frame leaves an older one's results alone.
@@ -167,6 +185,7 @@ RunSummary Carry(Run& run, Slam& slam, const RunHooks& hooks) {
   if (!ShouldSave(run, fed)) return summary;
   const Status status = Save(run, fed, report);
   if (!status) summary.error = status.error();
+  SaveMap(run, slam, summary);
   return summary;
 }
 
@@ -175,6 +194,10 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
   if (!parts) return parts.error();
   Run run{dataset, options, options.out, CameraFileText(dataset.rig()), {}};
   run.num_boxes_unmatched = parts->num_boxes_unmatched;
+  auto loaded = LoadRunMap(options.config, dataset.rig());
+  if (!loaded) return loaded.error();
+  parts->slam.map = std::move(loaded->map);
+  run.map_facts = std::move(loaded->facts);
   if (options.out.empty()) {
     auto made = MakeDefaultRunFolder();
     if (!made) return made.error();
@@ -202,7 +225,8 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
 }  // namespace
 
 Result<RunSummary> RunSequence(const Dataset& dataset, const RunOptions& options, const RunHooks& hooks) {
-  const Status valid = ValidateConfig(options.config);
+  Status valid = ValidateConfig(options.config);
+  if (valid) valid = CheckMapOptions(options.config, options.save_map);
   if (!valid) return valid.error();
   if (options.config.masks.empty()) return RunUnmasked(dataset, options, hooks);
   const auto masked = MaskedDataset::Open(dataset, options.config.masks);

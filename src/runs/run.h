@@ -23,6 +23,7 @@ struct RunOptions {
   std::string out;           ///< the folder for the results; empty: a new one, yorb_DATE_TIME
   std::string title;         ///< of the report: the recording's name
   Trajectory reference;      ///< the truth, for the report's error plots alone; empty: none
+  std::string save_map;      ///< a file for the map, written at every end; empty: none
   std::string overlay;       ///< a folder for pictures of what is removed; empty: none
   double save_every_s = 30;  ///< a power cut costs so much
 };
@@ -42,6 +43,7 @@ struct RunHooks {
 /// What came of a run.
 struct RunSummary {
   std::string out;  ///< the folder with the results
+  std::string map;  ///< the file that the map was written to; empty: none was
   size_t frames = 0, tracked = 0, skipped = 0, dropped = 0, keyframes = 0, landmarks = 0;
   double wall_s = 0;
   bool was_stopped = false;

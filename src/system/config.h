@@ -30,6 +30,9 @@ struct Config {
   std::string dynamics = "off";
   std::string detections;  ///< a file of boxes in the detector's place; empty: the detector
   std::string masks;       ///< a folder of masks, or one for all frames: what is not to be used; empty: none
+  std::string load_map;    ///< a file of `--save-map` to go on from; empty: a new map is begun
+  /// true: the camera is only located in `load_map`, also in single pictures; nothing is added or changed
+  bool localize_only = false;
   int64_t seed = 1;        ///< of everything that is drawn by chance: RANSAC in relocalisation
   int64_t max_frames = 0;  ///< only so many pictures from the start of a sequence; 0: all
   DetectionOptions detection;
@@ -45,6 +48,8 @@ struct Config {
     visit("dynamics", self.dynamics, OneOf({"off", "paper", "full", "exact"}));
     visit("detections", self.detections, AnyValue());
     visit("masks", self.masks, AnyValue());
+    visit("load_map", self.load_map, AnyValue());
+    visit("localize_only", self.localize_only, AnyValue());
     visit("seed", self.seed, Range(0, 9e15));
     visit("max_frames", self.max_frames, Range(0, 9e15));
     visit("detection", self.detection);

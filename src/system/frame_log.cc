@@ -39,7 +39,12 @@ std::vector<SubmapReport> SubmapsOf(const std::vector<FrameRecord>& records, con
     by_root[placed->root.value()].trajectory.push_back({record.timestamp, placed->cam_from_world.Inverse()});
   }
   std::vector<SubmapReport> submaps;
-  for (auto& [root, submap] : by_root) submaps.push_back(std::move(submap));
+  for (auto& [root, submap] : by_root) {
+    // The keyframes of a map that was loaded may be of any time.
+    std::stable_sort(submap.keyframes.begin(), submap.keyframes.end(),
+                     [](const StampedPose& a, const StampedPose& b) { return a.timestamp < b.timestamp; });
+    submaps.push_back(std::move(submap));
+  }
   std::stable_sort(submaps.begin(), submaps.end(), [](const SubmapReport& a, const SubmapReport& b) {
     return a.trajectory.size() > b.trajectory.size();
   });

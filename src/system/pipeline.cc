@@ -29,6 +29,19 @@ FeatureOptions FeaturesOf(const Config& config) {
   return features;
 }
 
+MapSnapshot StartOf(const SlamParts& parts) { return parts.map ? parts.map : std::make_shared<const Map>(); }
+
+TrackerTask TaskOf(const Config& config, const SlamParts& parts) {
+  return {StartOf(parts)->num_keyframes() > 0, config.localize_only};
+}
+
+/// The first frame id that no keyframe of the map has.
+uint32_t NextFrame(const Map& map) {
+  uint32_t next = 0;
+  map.VisitKeyframes([&](const Keyframe& keyframe) { next = std::max(next, keyframe.frame->id.value() + 1); });
+  return next;
+}
+
 /// What the tracker says of a frame, with what is known from before.
 FrameRecord Joined(const FrameRecord& before, const FrameRecord& tracked, double track_ms) {
   FrameRecord record = tracked;
@@ -61,8 +74,8 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       builder_(FeaturesOf(config), rig),
       follows_bodies_(DynamicsOf(config) == Dynamics::kFull),
       remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor),
-      tracker_(config.tracking, config.seed, parts_.vocabulary),
-      mapper_(config.mapping, parts_.vocabulary),
+      tracker_(config.tracking, config.seed, TaskOf(config, parts_), parts_.vocabulary),
+      mapper_(config.mapping, parts_.vocabulary, Map::Continuing(*StartOf(parts_))),
       looper_(config.looping, parts_.vocabulary, config.seed),
       images_(kImagesAhead),
       to_detect_(1),
@@ -72,7 +85,8 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       added_(1),
       applied_(1),
       first_map_(1),
-      view_(std::make_shared<const Map>()) {
+      view_(mapper_.Snapshot()),
+      next_frame_(NextFrame(*StartOf(parts_))) {
   if (mode_ == Mode::kInline) return;
   try {
     if (parts_.detector) Spawn(&Pipeline::RunDetection);

@@ -100,7 +100,7 @@ class Pipeline {
   Latest<Map> view_;
   Latest<Error> fault_;
   FrameLog log_;
-  uint32_t next_frame_ = 0;
+  uint32_t next_frame_;
   std::vector<std::thread> threads_;
 };
 

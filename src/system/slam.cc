@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "system/slam.h"
 
+#include "core/text.h"
+#include "map/map.h"
 #include "system/config_io.h"
 #include "system/pipeline.h"
 
@@ -11,6 +13,27 @@ namespace {
 bool IsDepthFor(const DepthImage& depth, const cv::Mat& grey) {
   const int type = depth.pixels.type();
   return depth.empty() || ((type == CV_16UC1 || type == CV_32FC1) && depth.pixels.size() == grey.size());
+}
+
+std::string ProjectionText(const Rig& rig) {
+  const Pinhole& c = rig.camera;
+  std::string text = rig.name + " (";
+  for (const double value : {c.fx, c.fy, c.cx, c.cy, rig.baseline_px}) text += FormatShortest(value) + " ";
+  text.back() = ')';
+  return text;
+}
+
+/// One bundle, one camera: keyframes of two cameras are never adjusted together.
+Status CheckCamera(const Config& config, const Map& map, const Rig& rig) {
+  std::string other;
+  map.VisitKeyframes([&](const Keyframe& keyframe) {
+    if (!keyframe.frame->rig->ProjectsLike(rig)) other = ProjectionText(*keyframe.frame->rig);
+  });
+  if (other.empty() || config.localize_only) return Status::Ok();
+  const std::string name = config.load_map.empty() ? "" : " " + config.load_map;
+  return BadInput("the map" + name + " was made with the camera " + other + ", and these pictures are of " +
+                  ProjectionText(rig) +
+                  "; give the map's camera to go on with it, or --localize-only to use it as it is");
 }
 
 std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
@@ -25,6 +48,13 @@ Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig,
   if (!(rig.camera.fx > 0) || !(rig.camera.fy > 0))
     return BadInput("the camera " + rig.name + " needs fx and fy above 0");
   if (!(rig.baseline_px > 0)) return BadInput("the camera " + rig.name + " needs a baseline above 0");
+  if (config.localize_only && (!parts.map || parts.map->num_keyframes() == 0)) {
+    return BadInput("--localize-only needs a map with keyframes; name its file with --load-map");
+  }
+  if (parts.map) {
+    const Status fits = CheckCamera(config, *parts.map, rig);
+    if (!fits) return fits.error();
+  }
   return std::unique_ptr<Slam>(new Slam(config, rig, std::move(parts)));
 }
 

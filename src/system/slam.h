@@ -56,6 +56,7 @@ struct Watched {
 
 /// What a system gets from outside.
 struct SlamParts {
+  MapSnapshot map;                               ///< to go on from, or to be located in; null: a new one is begun
   std::unique_ptr<Detector> detector;            ///< null: nothing is detected
   MotionTable motions = MotionTable::Default();  ///< how the classes of its boxes move
   VocabularyPtr vocabulary;                      ///< null: no place is recognised by its words
@@ -65,7 +66,8 @@ struct SlamParts {
 /// A SLAM system for one camera.
 class Slam {
  public:
-  /// Bad input where the configuration or the rig cannot work.
+  /// Bad input where the configuration or the rig cannot work, or the rig is not the one that a map to go on from was
+  /// made with (to be located in a map, any will do).
   static Result<std::unique_ptr<Slam>> Create(const Config& config, const Rig& rig, SlamParts parts = {});
 
   /// Ends the threads; what was pushed and not yet worked off is dropped (call Finish first to keep it).

@@ -66,7 +66,8 @@ Tracked Tracker::Begin(const FramePtr& frame, const Map& map) {
 }
 
 Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
-  if (IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
+  if (last_.frame && IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
+  if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
   std::optional<Located> located = FindPose(*frame, map);
   Tracked tracked;
@@ -75,7 +76,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
     NoteLoss(*frame);
     return IsTimeForANewMap(*frame, backlog) ? Begin(raw_frame, map) : tracked;
   }
-  CountSeen(*located);
+  if (!task_.only_locates) CountSeen(*located);
   Fix& fix = located->fix;
   NoteMotion(*frame, map, fix);
   if (const FramePtr better = WithoutShutter(raw_frame, motion_.rate()); better != raw_frame) {
@@ -90,7 +91,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   const KeyframeQuestion question{
       *frame, fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
       backlog};
-  if (IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
+  if (!task_.only_locates && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
   return tracked;
 }
 
@@ -201,7 +202,15 @@ bool Tracker::IsConfirmed(const Frame& frame, const Fix& fix) const {
   constexpr double kWarySeconds = 1.0;
   const bool is_wary = was_lost_ && SecondsBetween(lost_since_, frame.timestamp) < kWarySeconds;
   const int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
-  return NumInliers(fix) >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
+  // Without a mapper that takes in what is new, points of the frame before lead away from the map unnoticed.
+  const size_t num_inliers = task_.only_locates ? fix.num_inliers : NumInliers(fix);
+  return num_inliers >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
+}
+
+/// Whether the frame before says nothing about this one: single pictures in no order are located one by one.
+bool Tracker::IsAlone(const Frame& frame) const {
+  return task_.only_locates && last_.frame &&
+         SecondsBetween(last_.frame->timestamp, frame.timestamp) > options_.lost_after_s;
 }
 
 void Tracker::CountSeen(const Located& located) {
@@ -234,6 +243,7 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
 
 void Tracker::NoteLoss(const Frame& frame) {
   motion_.Forget();
+  if (!last_.frame) return;  // lost from the beginning
   const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
   state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
   const bool shows_something = CountPointsWithDepth(frame) >= options_.min_first_points;

@@ -23,11 +23,22 @@ struct Tracked {
   std::optional<Proposal> proposal;
 };
 
+/// What a tracker is to do with the map.
+struct TrackerTask {
+  bool has_map = false;       ///< there is one already, in which the camera is sought; otherwise one is begun
+  bool only_locates = false;  ///< nothing is proposed, and only landmarks of the map confirm a pose
+};
+
 class Tracker {
  public:
   /// Without a vocabulary (null), a lost camera is sought among the newest keyframes and some of the older ones in turn.
-  Tracker(const TrackingOptions& options, int64_t seed, VocabularyPtr vocabulary = nullptr)
-      : options_(options), seed_(seed), memory_(std::move(vocabulary)) {}
+  Tracker(const TrackingOptions& options, int64_t seed, const TrackerTask& task = {},
+          VocabularyPtr vocabulary = nullptr)
+      : options_(options),
+        seed_(seed),
+        task_(task),
+        memory_(std::move(vocabulary)),
+        state_(task.has_map ? TrackingState::kLost : TrackingState::kNotInitialized) {}
 
   /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off.
   Tracked Track(const FramePtr& frame, const Map& map, size_t backlog);
@@ -35,7 +46,7 @@ class Tracker {
  private:
   /// The newest frame whose pose was confirmed.
   struct Confirmed {
-    FramePtr frame;
+    FramePtr frame;  ///< null: there was none yet
     KeyframeId reference;
     Rigid3 cam_from_reference;
     std::vector<LandmarkId> matches;
@@ -58,6 +69,7 @@ class Tracker {
   std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map);
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
   bool IsConfirmed(const Frame& frame, const Fix& fix) const;
+  bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
@@ -70,8 +82,9 @@ class Tracker {
 
   TrackingOptions options_;
   int64_t seed_;
+  TrackerTask task_;
   PlaceMemory memory_;
-  TrackingState state_ = TrackingState::kNotInitialized;
+  TrackingState state_;
   Confirmed last_;
   MotionModel motion_;
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
