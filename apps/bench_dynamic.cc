@@ -68,9 +68,10 @@ std::string Beside(const std::string& folder, const std::string& name) {
 
 /// A folder's own name, whatever its path ends with.
 std::string NameOf(const std::string& folder) {
-  std::error_code ignored;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(folder, ignored);
-  return ignored || path.filename().empty() ? folder : path.filename().string();
+  std::error_code error;
+  std::filesystem::path path = std::filesystem::absolute(folder, error).lexically_normal();
+  if (path.filename().empty()) path = path.parent_path();
+  return error || path.filename().empty() ? folder : path.filename().string();
 }
 
 Result<Opened> OpenAll(const DynamicArguments& arguments) {
