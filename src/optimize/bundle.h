@@ -41,7 +41,8 @@ struct BundleResult {
 };
 
 /// Bundle adjustment: Levenberg-Marquardt on the Schur complement of the points; the reduced system is dense for a
-/// neighbourhood, sparse for a map. `should_stop` is asked before every iteration (new keyframes wait); it may be empty.
+/// neighbourhood, sparse for a map. `should_stop` is asked before every iteration (new keyframes wait); it may be
+/// empty.
 BundleResult AdjustBundle(const BundleProblem& problem, const BundleOptions& options,
                           const std::function<bool()>& should_stop = {});
 
