@@ -62,7 +62,7 @@ inline std::vector<KeyframeId> AddSubmap(Map& map, const SyntheticWorld& world, 
   std::vector<LandmarkId> landmark_of;
   for (const Rigid3& pose : poses) {
     const uint32_t number = map.next_keyframe().value();
-    const auto view = world.Look(pose, FrameId(number), Timestamp{int64_t{number} * 100000000});
+    const auto view = world.Look(pose, FrameId(2 * number + 1), Timestamp{int64_t{number} * 100000000});
     const KeyframeId parent = keyframes.empty() ? KeyframeId() : keyframes.back();
     keyframes.push_back(map.AddKeyframe(view.frame, pose * other_from_world.Inverse(), parent));
     for (uint32_t i = 0; i < view.points.size(); ++i) {
