@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/bench_detector.h"
+#include "apps/bench_dynamic.h"
 #include "apps/bench_features.h"
 #include "apps/bench_light.h"
 #include "apps/command.h"
@@ -47,6 +48,7 @@ void AddBenchCommand(CLI::App& program, Action& action) {
   AddBenchLight(*bench, action);
   AddBenchFeatures(*bench, action);
   AddBenchDetector(*bench, action);
+  AddBenchDynamic(*bench, action);
 }
 
 }  // namespace yorb

@@ -15,7 +15,6 @@
 #include "apps/signals.h"
 #include "core/files.h"
 #include "core/text.h"
-#include "evaluation/trajectory_io.h"
 #include "experiments/light_text.h"
 
 namespace yorb {
@@ -48,16 +47,6 @@ Result<int> SeedsOf(const std::optional<std::string>& text) {
   return BadInput("--seeds must be a whole number from 1 to " + std::to_string(kMostSeeds) + ", not " + *text);
 }
 
-/// The truth beside the pictures; none is no fault, a faulty one is.
-Result<Trajectory> TruthOf(const std::string& folder) {
-  const std::string path = (std::filesystem::path(folder) / "groundtruth.txt").string();
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) return Trajectory();
-  auto truth = ReadTrajectoryFile(path);
-  if (!truth) return truth.error();
-  return std::move(truth->poses);
-}
-
 Status WriteResults(const std::string& folder, const LightReport& report) {
   const auto in_folder = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
   std::vector<FileToWrite> files = {{in_folder("light.txt"), LightText(report)},
@@ -79,7 +68,7 @@ Result<LightReport> Measure(const LightArguments& arguments) {
   if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
   const auto sequence = OpenSequence(arguments.sequence);
   if (!sequence) return sequence.error();
-  const auto truth = TruthOf(sequence->folder);
+  const auto truth = ReadTruthBeside(sequence->folder);
   if (!truth) return truth.error();
   Progress progress(arguments.wants_json);
   LightBenchHooks hooks;

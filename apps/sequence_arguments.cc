@@ -7,6 +7,7 @@
 
 #include "camera/camera_io.h"
 #include "datasets/open_dataset.h"
+#include "evaluation/trajectory_io.h"
 #include "system/config_io.h"
 
 namespace yorb {
@@ -123,6 +124,15 @@ Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   if (!dataset) return dataset.error();
   opened.dataset = *std::move(dataset);
   return opened;
+}
+
+Result<Trajectory> ReadTruthBeside(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "groundtruth.txt").string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return Trajectory();
+  auto truth = ReadTrajectoryFile(path);
+  if (!truth) return truth.error();
+  return std::move(truth->poses);
 }
 
 }  // namespace yorb

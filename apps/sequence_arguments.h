@@ -10,6 +10,7 @@
 
 #include "core/result.h"
 #include "datasets/dataset.h"
+#include "geometry/trajectory.h"
 #include "system/config.h"
 
 namespace yorb {
@@ -34,5 +35,8 @@ struct OpenedSequence {
 
 /// Reads config file and settings (the options above all, then --set, then --config), and opens the sequence.
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options);
+
+/// The groundtruth.txt beside the pictures; empty where there is none, which is no fault; a faulty one is.
+Result<Trajectory> ReadTruthBeside(const std::string& folder);
 
 }  // namespace yorb

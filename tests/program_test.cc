@@ -174,5 +174,25 @@ TEST_F(Program, ASignalWhileStartingIsHeededToo) {
   }
 }
 
+TEST_F(Program, VocabulariesAreTrainedReadAndRefused) {
+  const Outcome trained = Call({"vocab", "train", In("room"), "--out", In("own.yvoc"), "--levels", "2"});
+  EXPECT_EQ(trained.code, 0) << trained.err;
+  EXPECT_THAT(trained.out, AllOf(HasSubstr("12 pictures"), HasSubstr("own.yvoc")));
+  const Outcome info = Call({"vocab", "info", In("own.yvoc"), "--json"});
+  EXPECT_EQ(info.code, 0) << info.err;
+  const auto json = nlohmann::json::parse(info.out);
+  EXPECT_EQ(json["levels"], 2);
+  EXPECT_GT(json["words"], 100);
+  EXPECT_EQ(json["bytes"], std::filesystem::file_size(In("own.yvoc")));
+  std::filesystem::resize_file(In("own.yvoc"), 5000);
+  ExpectRefused("own.yvoc", {"vocab", "info", In("own.yvoc")});
+  ExpectRefused("own.yvoc", {"run", In("room"), "--set", "places.vocabulary=" + In("own.yvoc"), "--out", In("no")});
+  EXPECT_FALSE(std::filesystem::exists(In("no")));
+  ExpectRefused("--levels", {"vocab", "train", In("room"), "--out", In("a.yvoc"), "--levels", "0"});
+  ExpectRefused("missing", {"vocab", "train", In("missing"), "--out", In("a.yvoc")});
+  ExpectRefused("--out", {"vocab", "train", In("room"), "--out", "/dev/null/a.yvoc"});
+  EXPECT_FALSE(std::filesystem::exists(In("a.yvoc")));
+}
+
 }  // namespace
 }  // namespace yorb

@@ -7,49 +7,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "datasets/depth_watch.h"
 #include "experiments/light_text.h"
-#include "synthetic/sequence.h"
+#include "experiments/test_room.h"
 
 namespace yorb {
 namespace {
 
 constexpr int kFrames = 8;
 
-/// A small synthetic room, rendered in memory.
-class RoomDataset : public Dataset {
- public:
-  RoomDataset() : sequence_(Options()) {
-    for (int i = 0; i < kFrames; ++i) frames_.push_back(sequence_.Render(i).images);
-  }
-  size_t size() const override { return kFrames; }
-  Timestamp TimeOf(size_t i) const override { return sequence_.TimeOf(static_cast<int>(i)); }
-  std::string PictureName(size_t i) const override { return std::to_string(i); }
-  const Rig& rig() const override { return sequence_.rig(); }
-  Result<LoadedFrame> Load(size_t i) const override {
-    LoadedFrame frame;
-    frame.images = frames_[i];
-    frame.depth = GlanceAt(frame.images->depth);
-    return frame;
-  }
-  Trajectory Truth() const { return sequence_.Truth(); }
-
- private:
-  static SequenceOptions Options() {
-    SequenceOptions options;
-    options.num_frames = kFrames;
-    options.rig = SyntheticRig(320, 240);
-    options.noise = 0.5;
-    return options;
-  }
-  SyntheticSequence sequence_;
-  std::vector<ImageSet> frames_;
-};
-
 class LightBench : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    room_ = new RoomDataset();
+    room_ = new RoomDataset(kFrames);
     options_ = new LightBenchOptions();
     options_->config.features.wanted = 1000;
     options_->lights = {LightKind::kFlicker};

@@ -94,6 +94,7 @@ Result<Map> MapAssembly::Make(MapParts parts) {
   if (status) status = made.TakeLandmarks(std::move(parts.landmarks), parts.next_landmark);
   if (status) status = made.LinkViews();
   if (status) status = StatusOf(CheckChildren(made.map_));
+  if (status) made.FindRoots();
   if (status) status = StatusOf(made.map_.Check());
   if (!status) return status.error();
   return std::move(made.map_);
@@ -103,11 +104,29 @@ Status MapAssembly::TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId ne
   if (next.value() > kMostKeyframes || !AreIdsSound(keyframes, next)) return BadInput("it has impossible keyframe ids");
   for (Keyframe& keyframe : keyframes) {
     map_.newest_keyframe_ = keyframe.id;
+    keyframe.root = KeyframeId();
     map_.keyframes_.SkipTo(keyframe.id);
     map_.keyframes_.Add(std::move(keyframe));
   }
   map_.keyframes_.SkipTo(next);
   return Status::Ok();
+}
+
+/// Every keyframe hangs below one root, or in a ring, which Check finds: then it is never reached.
+void MapAssembly::FindRoots() {
+  std::vector<KeyframeId> roots;
+  map_.VisitKeyframes([&](const Keyframe& keyframe) {
+    if (!keyframe.parent.IsValid()) roots.push_back(keyframe.id);
+  });
+  for (const KeyframeId root : roots) {
+    std::vector<KeyframeId> below = {root};
+    for (size_t i = 0; i < below.size(); ++i) {
+      map_.keyframes_.Writable(below[i]).root = root;
+      for (const KeyframeId child : map_.Find(below[i])->children) {
+        if (map_.Find(child) && !map_.Find(child)->root.IsValid()) below.push_back(child);
+      }
+    }
+  }
 }
 
 Status MapAssembly::TakeRemoved(const std::vector<RemovedKeyframe>& removed) {

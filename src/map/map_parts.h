@@ -21,8 +21,8 @@ struct RemovedKeyframe {
 struct MapParts {
   KeyframeId next_keyframe;  ///< that the next one will have: ids are never used again
   LandmarkId next_landmark;
-  size_t num_loops = 0;
-  std::vector<Keyframe> keyframes;       ///< by ascending id, without neighbours and bags
+  size_t num_loops = 0;                  ///< that were closed
+  std::vector<Keyframe> keyframes;       ///< by ascending id, without neighbours, roots and bags
   std::vector<RemovedKeyframe> removed;  ///< by ascending id: all ids below the next that are not there
   std::vector<Landmark> landmarks;       ///< by ascending id, without views
 };
@@ -40,6 +40,7 @@ class MapAssembly {
   Status TakeKeyframes(std::vector<Keyframe> keyframes, KeyframeId next);
   Status TakeRemoved(const std::vector<RemovedKeyframe>& removed);
   Status TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId next);
+  void FindRoots();
   Status LinkViews();
 
   Map map_;

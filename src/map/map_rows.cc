@@ -102,7 +102,6 @@ std::string KeyframeBytes(const Keyframe& keyframe, uint32_t setup) {
   ByteWriter bytes;
   PutId(keyframe.id, bytes);
   PutId(keyframe.parent, bytes);
-  PutId(keyframe.root, bytes);
   PutPose(keyframe.cam_from_world, bytes);
   for (const auto* ids : {&keyframe.children, &keyframe.loops}) {
     bytes.Put(static_cast<uint32_t>(ids->size()));
@@ -121,7 +120,6 @@ std::optional<Keyframe> ReadKeyframe(std::string_view content, const std::vector
   Keyframe keyframe;
   keyframe.id = GetId<Keyframe>(bytes);
   keyframe.parent = GetId<Keyframe>(bytes);
-  keyframe.root = GetId<Keyframe>(bytes);
   keyframe.cam_from_world = GetPose(bytes);
   for (auto* ids : {&keyframe.children, &keyframe.loops}) {
     *ids = GetIds<Keyframe>(bytes, bytes.GetCount(sizeof(uint32_t)));

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "map/correction.h"
-#include "map/test_maps.h"
+#include "map/test_map.h"
 
 namespace yorb {
 namespace {

@@ -14,9 +14,11 @@ namespace yorb {
 Mapper::Mapper(const MappingOptions& options, VocabularyPtr vocabulary, Map start)
     : options_(options), vocabulary_(std::move(vocabulary)), map_(std::move(start)) {
   if (!vocabulary_) return;
-  std::vector<KeyframeId> keyframes;
-  map_.VisitKeyframes([&](const Keyframe& keyframe) { keyframes.push_back(keyframe.id); });
-  for (const KeyframeId id : keyframes) SetBag(id);
+  std::vector<KeyframeId> without;
+  map_.VisitKeyframes([&](const Keyframe& keyframe) {
+    if (!keyframe.bag) without.push_back(keyframe.id);
+  });
+  for (const KeyframeId id : without) Describe(id);
 }
 
 MappingTimes Mapper::Handle(const Proposal& proposal, const MapperHooks& hooks) {
@@ -52,14 +54,10 @@ MappingTimes Mapper::Handle(const Proposal& proposal, const MapperHooks& hooks) 
 
 KeyframeId Mapper::Insert(const Proposal& proposal) {
   const KeyframeId id = InsertKeyframe(map_, proposal);
-  if (vocabulary_) SetBag(id);
+  if (vocabulary_) Describe(id);
   recent_ = CullRecentLandmarks(map_, recent_);
   for (const LandmarkId added : AddLandmarksByDepth(map_, id)) recent_.push_back(added);
   return id;
-}
-
-void Mapper::SetBag(KeyframeId id) {
-  map_.SetBag(id, std::make_shared<const Bag>(vocabulary_->Describe(map_.Find(id)->frame->descriptors)));
 }
 
 void Mapper::Apply(const Correction& correction) {
@@ -97,6 +95,10 @@ void Mapper::TakeOut(const std::vector<std::pair<LandmarkId, KeyframeId>>& outli
     const Landmark* left = map_.Find(landmark);
     if (left && NumRays(map_, *left) < kMinRays) map_.Remove(landmark);
   }
+}
+
+void Mapper::Describe(KeyframeId id) {
+  map_.SetBag(id, std::make_shared<const Bag>(vocabulary_->Describe(map_.Find(id)->frame->descriptors)));
 }
 
 void Mapper::AdjustAround(KeyframeId center, const std::function<bool()>& should_stop) {

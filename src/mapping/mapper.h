@@ -33,7 +33,7 @@ struct MappingTimes {
 
 class Mapper {
  public:
-  /// `start`: the map to go on from. Without a vocabulary (null), keyframes have no bags of words.
+  /// Goes on from the map `start`. Without a vocabulary (null), keyframes have no bags of words.
   explicit Mapper(const MappingOptions& options, VocabularyPtr vocabulary = nullptr, Map start = {});
 
   /// Takes a proposal in. `Snapshot()` then shows what came of it.
@@ -46,8 +46,8 @@ class Mapper {
   MapSnapshot Snapshot() { return map_.Snapshot(); }
 
  private:
-  void SetBag(KeyframeId id);
   KeyframeId Insert(const Proposal& proposal);
+  void Describe(KeyframeId id);
   void TieTogether(const SamePlace& place);
   void TakeOut(const std::vector<std::pair<LandmarkId, KeyframeId>>& outliers);
   void AdjustAround(KeyframeId center, const std::function<bool()>& should_stop);

@@ -40,8 +40,9 @@ struct BundleResult {
   bool was_stopped = false;  ///< `should_stop` said so; the values are the best so far
 };
 
-/// Bundle adjustment: Levenberg-Marquardt on the Schur complement of the points, dense reduced system. `should_stop` is
-/// asked before every iteration (new keyframes wait); it may be empty.
+/// Bundle adjustment: Levenberg-Marquardt on the Schur complement of the points; the reduced system is dense for a
+/// neighbourhood, sparse for a map. `should_stop` is asked before every iteration (new keyframes wait); it may be
+/// empty.
 BundleResult AdjustBundle(const BundleProblem& problem, const BundleOptions& options,
                           const std::function<bool()>& should_stop = {});
 

@@ -11,12 +11,22 @@
 
 namespace yorb {
 
+namespace {
+
+Result<VocabularyPtr> Read(const std::string& path) {
+  auto vocabulary = ReadVocabulary(path);
+  if (vocabulary) LogInfo("vocabulary " + path + ": " + std::to_string((*vocabulary)->num_words()) + " words");
+  return vocabulary;
+}
+
+}  // namespace
+
 Result<VocabularyPtr> FindVocabulary(const PlacesOptions& options) {
-  if (!options.vocabulary.empty()) return ReadVocabulary(options.vocabulary);
+  if (!options.vocabulary.empty()) return Read(options.vocabulary);
   const auto folder = InstalledFolder("models");
   const std::string path = (std::filesystem::path(folder.value_or("models")) / "vocabulary.yvoc").string();
   std::error_code ignored;
-  if (folder && std::filesystem::exists(path, ignored)) return ReadVocabulary(path);
+  if (folder && std::filesystem::exists(path, ignored)) return Read(path);
   LogInfo(path + ", the vocabulary that comes with yorb, is not there: no place is recognised by its words");
   return VocabularyPtr();
 }

@@ -3,6 +3,7 @@
 #include "runs/learn_vocabulary.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -20,6 +21,8 @@ using Described = std::vector<std::vector<Descriptor>>;
 Result<Sources> OpenAll(const std::vector<std::string>& paths) {
   Sources sources;
   for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return BadInput(path + " does not exist");
     auto source = OpenPictureSource(path);
     if (!source) return source.error();
     sources.push_back(*std::move(source));

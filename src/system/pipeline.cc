@@ -74,7 +74,7 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       builder_(FeaturesOf(config), rig),
       follows_bodies_(DynamicsOf(config) == Dynamics::kFull),
       remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor),
-      tracker_(config.tracking, config.seed, parts_.vocabulary, TaskOf(config, parts_)),
+      tracker_(config.tracking, config.seed, TaskOf(config, parts_), parts_.vocabulary),
       mapper_(config.mapping, parts_.vocabulary, Map::Continuing(*StartOf(parts_))),
       looper_(config.looping, parts_.vocabulary, config.seed),
       images_(kImagesAhead),

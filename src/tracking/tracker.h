@@ -33,8 +33,8 @@ class Tracker {
  public:
   /// Without a vocabulary (null), a lost camera is sought among the newest keyframes and some of the older ones in
   /// turn.
-  Tracker(const TrackingOptions& options, int64_t seed, VocabularyPtr vocabulary = nullptr,
-          const TrackerTask& task = {})
+  Tracker(const TrackingOptions& options, int64_t seed, const TrackerTask& task = {},
+          VocabularyPtr vocabulary = nullptr)
       : options_(options),
         seed_(seed),
         task_(task),
