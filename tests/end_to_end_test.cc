@@ -73,8 +73,8 @@ TEST(EndToEndLive, FramesThatCameAreTrackedAndTimeGoesOn) {
 
 TEST(EndToEndInline, TwoRunsAreAlikeToTheBit) {
   const SlamReport first = RunInMemory(TestConfig("inline")), second = RunInMemory(TestConfig("inline"));
-  EXPECT_EQ(TumText(first.trajectory), TumText(second.trajectory));
-  EXPECT_EQ(TumText(first.keyframes), TumText(second.keyframes));
+  EXPECT_EQ(TumText(first.trajectory()), TumText(second.trajectory()));
+  EXPECT_EQ(TumText(first.keyframes()), TumText(second.keyframes()));
   EXPECT_EQ(first.num_landmarks, second.num_landmarks);
 }
 

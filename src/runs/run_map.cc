@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "system/slam.h"
 
 namespace yorb {
 namespace {
@@ -50,6 +51,8 @@ Result<MapSnapshot> LoadRunMap(const Config& config, const Rig& rig) {
   auto saved = ReadMapFile(config.load_map);
   if (!saved) return saved.error();
   if (saved->map.num_keyframes() == 0) return BadInput(config.load_map + " holds no keyframe; make the map anew");
+  const Status fits = Slam::CheckMap(config, saved->map, rig);
+  if (!fits) return fits.error();
   LogInfo("map " + config.load_map + ": " + CountsOf(saved->map));
   if (config.localize_only) WarnOfOtherCamera(config.load_map, saved->map, rig);
   return MapSnapshot(std::make_shared<const Map>(std::move(saved->map)));

@@ -284,6 +284,7 @@ TEST_F(RunMaps, KeepTheirCamera) {
   const auto refused = RunSequence(OtherCamera(20), options, {});
   ASSERT_FALSE(refused.ok());
   EXPECT_THAT(refused.error().message, testing::AllOf(HasSubstr("a.map"), HasSubstr("other"), HasSubstr("wall")));
+  EXPECT_FALSE(std::filesystem::exists(In("b")));
   options.config.localize_only = true;
   EXPECT_GE(Done(OtherCamera(20), options).tracked, 18u);
   EXPECT_THAT(LogText(), HasSubstr("made with the camera wall"));

@@ -23,8 +23,12 @@ std::string ProjectionText(const Rig& rig) {
   return text;
 }
 
-/// One bundle, one camera: keyframes of two cameras are never adjusted together.
-Status CheckCamera(const Config& config, const Map& map, const Rig& rig) {
+std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+}  // namespace
+
+// One bundle, one camera: keyframes of two cameras are never adjusted together.
+Status Slam::CheckMap(const Config& config, const Map& map, const Rig& rig) {
   std::string other;
   map.VisitKeyframes([&](const Keyframe& keyframe) {
     if (!keyframe.frame->rig->ProjectsLike(rig)) other = ProjectionText(*keyframe.frame->rig);
@@ -35,10 +39,6 @@ Status CheckCamera(const Config& config, const Map& map, const Rig& rig) {
                   ProjectionText(rig) +
                   "; give the map's camera to go on with it, or --localize-only to use it as it is");
 }
-
-std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-
-}  // namespace
 
 Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig, SlamParts parts) {
   if (const Status valid = ValidateConfig(config); !valid) return valid.error();
@@ -52,7 +52,7 @@ Result<std::unique_ptr<Slam>> Slam::Create(const Config& config, const Rig& rig,
     return BadInput("--localize-only needs a map with keyframes; name its file with --load-map");
   }
   if (parts.map) {
-    const Status fits = CheckCamera(config, *parts.map, rig);
+    const Status fits = CheckMap(config, *parts.map, rig);
     if (!fits) return fits.error();
   }
   return std::unique_ptr<Slam>(new Slam(config, rig, std::move(parts)));

@@ -70,6 +70,9 @@ class Slam {
   /// made with (to be located in a map, any will do).
   static Result<std::unique_ptr<Slam>> Create(const Config& config, const Rig& rig, SlamParts parts = {});
 
+  /// Bad input where this camera cannot go on with, or be located in, that map; Create looks, too.
+  static Status CheckMap(const Config& config, const Map& map, const Rig& rig);
+
   /// Ends the threads; what was pushed and not yet worked off is dropped (call Finish first to keep it).
   ~Slam();
 
