@@ -85,7 +85,7 @@ FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images, Features featur
   for (size_t i = 0; i < frame->size(); ++i) {
     frame->depth[i] = DepthUnder(frame->keypoints[i], images.depth);
     if (frame->HasDepth(i)) {
-      frame->right_px[i] = frame->points_px[i].x() - static_cast<float>(rig_->baseline_px) / frame->depth[i];
+      frame->right_px[i] = frame->points_px[i].x() - static_cast<float>(rig_->VirtualBaselinePx()) / frame->depth[i];
     }
   }
   frame->grid = Grid(bounds_, frame->points_px);

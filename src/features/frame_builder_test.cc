@@ -76,7 +76,7 @@ TEST(FrameBuilder, DepthIsReadUnderTheRealPixel) {
     const bool is_own = pictures.depth.At(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y))) > 0;
     EXPECT_NEAR(frame->depth[i], 1 + at.x / 1000, is_own ? 0.0006 : 0.0016) << "beside a hole: a neighbour's";
     const double disparity = frame->points_px[i].x() - frame->right_px[i];
-    EXPECT_NEAR(disparity * frame->depth[i], rig.baseline_px, 0.01);
+    EXPECT_NEAR(disparity * frame->depth[i], rig.VirtualBaselinePx(), 0.01);
   }
   EXPECT_GT(holes, 50u);
   EXPECT_LT(holes, frame->size() / 2);

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "localize/fix.h"
 #include "map/map.h"
 #include "matching/by_projection.h"
-#include "localize/fix.h"
 
 namespace yorb {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace yorb {
 
@@ -22,9 +21,10 @@ void PlaceMemory::Follow(const Map& map) {
   });
 }
 
-std::vector<KeyframeId> PlaceMemory::Recall(const Map& map, const Bag& bag, size_t max_places,
+std::vector<KeyframeId> PlaceMemory::Recall(const Map& map, const Bag& bag, size_t max_count,
                                             const std::function<bool(KeyframeId)>& may_be) const {
   constexpr size_t kMostCandidates = 30, kNeighbours = 10;
+  constexpr int kOfOnePlace = 2;  // the most similar one is not always the one from which a pose is found
   std::vector<std::pair<KeyframeId, double>> candidates;  // the most similar first
   for (const Recalled& recalled : index_.Query(bag, std::numeric_limits<size_t>::max())) {
     const KeyframeId id(recalled.place);
@@ -32,22 +32,22 @@ std::vector<KeyframeId> PlaceMemory::Recall(const Map& map, const Bag& bag, size
     if (candidates.size() == kMostCandidates) break;
   }
   const std::unordered_map<KeyframeId, double> similarity(candidates.begin(), candidates.end());
-  std::vector<std::pair<KeyframeId, double>> places;
-  std::unordered_set<KeyframeId> covered;
+  std::vector<std::pair<KeyframeId, double>> chosen;
+  std::unordered_map<KeyframeId, int> num_beside;  // more similar ones that were taken
   for (const auto& [id, own] : candidates) {
-    if (!covered.insert(id).second) continue;
+    if (num_beside[id] >= kOfOnePlace) continue;
     double sum = own;
     for (const KeyframeId neighbour : map.Find(id)->Strongest(kNeighbours, 1)) {
       const auto found = similarity.find(neighbour);
       if (found == similarity.end()) continue;
       sum += found->second;
-      covered.insert(neighbour);
+      ++num_beside[neighbour];
     }
-    places.emplace_back(id, sum);
+    chosen.emplace_back(id, sum);
   }
-  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::stable_sort(chosen.begin(), chosen.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   std::vector<KeyframeId> ids;
-  for (size_t i = 0; i < std::min(max_places, places.size()); ++i) ids.push_back(places[i].first);
+  for (size_t i = 0; i < std::min(max_count, chosen.size()); ++i) ids.push_back(chosen[i].first);
   return ids;
 }
 

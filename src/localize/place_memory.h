@@ -24,9 +24,9 @@ class PlaceMemory {
 
   Bag Describe(const Frame& frame) const { return vocabulary_->Describe(frame.descriptors); }
 
-  /// The places most like the bag, the best first, each by its most similar keyframe; keyframes that look at one place
+  /// Keyframes of the places most like the bag, the best first, at most two of each; keyframes that look at one place
   /// speak for it together. `may_be` says which keyframes count; `map` is the one followed last.
-  std::vector<KeyframeId> Recall(const Map& map, const Bag& bag, size_t max_places,
+  std::vector<KeyframeId> Recall(const Map& map, const Bag& bag, size_t max_count,
                                  const std::function<bool(KeyframeId)>& may_be) const;
 
  private:

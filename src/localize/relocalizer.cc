@@ -66,7 +66,9 @@ std::optional<Fix> RelocalizeAgainst(const Frame& frame, const Map& map, const K
   const std::vector<KeyframeId> around = Around(keyframe);
   fix = Extend(frame, map, *fix, around, terms.radius_px);
   if (fix->num_inliers < terms.min_inliers) return std::nullopt;
-  if (is_strict && Weigh(frame, map, *fix, around).Share() < terms.min_share) return std::nullopt;
+  if (!is_strict) return fix;
+  const Evidence evidence = Weigh(frame, map, *fix, around);
+  if (evidence.Share() < terms.min_share || evidence.Spread() < terms.min_spread) return std::nullopt;
   return fix;
 }
 

@@ -17,7 +17,8 @@ namespace yorb {
 struct RecognitionTerms {
   size_t min_inliers = 50;  ///< landmarks
   double radius_px = 30;    ///< of the search about a coarse pose
-  double min_share = 0;     ///< of the landmarks that should be seen from there, see Evidence
+  double min_share = 0;     ///< of the landmarks that should be seen from there, see Evidence; 0: not asked for
+  double min_spread = 0;    ///< see there
 };
 
 /// A pose by descriptors alone and PnP with RANSAC, refined on its inliers. Nothing where too few agree.

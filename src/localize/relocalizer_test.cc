@@ -49,7 +49,8 @@ TEST(Relocalize, GivesNoPoseInAnotherPlace) {
   const Map map = MapOf(world, {Looking(0, 0), Looking(0.2, 0.1)});
   for (uint32_t k = 0; k < 20; ++k) {
     const auto view = elsewhere.Look(Looking(0.05 * k, 0.02 * k), FrameId(k), Timestamp{k});
-    EXPECT_FALSE(Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(1, k)).has_value());
+    EXPECT_FALSE(Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(1, k))
+                     .has_value());
   }
 }
 
@@ -57,8 +58,10 @@ TEST(Relocalize, TheSameSeedGivesTheSameBits) {
   const SyntheticWorld world(4);
   const Map map = MapOf(world, {Looking(0, 0), Looking(0.2, 0.1)});
   const auto view = world.Look(Looking(0.3, 0.0), FrameId(9), Timestamp{9});
-  const auto a = Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(3, 9));
-  const auto b = Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(3, 9));
+  const auto a =
+      Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(3, 9));
+  const auto b =
+      Relocalize(*view.frame, map, NewestAndSomeOlder(map, view.frame->id), RecognitionTerms(), Random(3, 9));
   ASSERT_TRUE(a && b);
   EXPECT_EQ(a->cam_from_world.translation, b->cam_from_world.translation);
   EXPECT_EQ(a->matches, b->matches);

@@ -65,8 +65,7 @@ NamedGraph GraphOf(const Map& map, KeyframeId root) {
 
 Correction CloseWithin(const Map& map, const Recognition& recognition) {
   NamedGraph named = GraphOf(map, map.Find(recognition.newer)->root);
-  const Rigid3 newer_from_older =
-      recognition.cam_from_world * map.Find(recognition.older)->cam_from_world.Inverse();
+  const Rigid3 newer_from_older = recognition.cam_from_world * map.Find(recognition.older)->cam_from_world.Inverse();
   const double weight = WeightOf(static_cast<int>(recognition.num_inliers));
   AddEdge(named, recognition.older, recognition.newer, newer_from_older, weight);
   const PoseGraphResult result = AdjustPoseGraph(named.graph);
@@ -86,7 +85,8 @@ Correction CloseBetween(const Map& map, const Recognition& recognition) {
   const KeyframeId moving = newers_moves ? newer.root : older_root;
   Correction correction;
   map.VisitKeyframes([&](const Keyframe& keyframe) {
-    if (keyframe.root == moving) correction.poses.emplace_back(keyframe.id, keyframe.cam_from_world * before_from_after);
+    if (keyframe.root == moving)
+      correction.poses.emplace_back(keyframe.id, keyframe.cam_from_world * before_from_after);
   });
   return correction;
 }

@@ -19,13 +19,13 @@ std::optional<Correction> Looper::Look(KeyframeId id, const Map& map) {
 }
 
 std::optional<Recognition> Looper::Find(const Keyframe& keyframe, const Map& map) const {
-  constexpr size_t kPlaces = 4;
+  constexpr size_t kCandidates = 10;
   const auto may_be = [&](KeyframeId other) { return other < keyframe.id && !AreNear(map, keyframe.id, other); };
-  for (const KeyframeId older : memory_.Recall(map, *keyframe.bag, kPlaces, may_be)) {
+  for (const KeyframeId older : memory_.Recall(map, *keyframe.bag, kCandidates, may_be)) {
     const Random random(static_cast<uint64_t>(seed_), keyframe.id.value());
     const auto recognition = Recognize(map, keyframe, *map.Find(older), options_, random);
-    const bool holds = recognition && IsPlausible(map, *recognition, options_) &&
-                       IsConfirmed(map, *recognition, options_);
+    const bool holds =
+        recognition && IsPlausible(map, *recognition, options_) && IsConfirmed(map, *recognition, options_);
     if (holds) return recognition;
   }
   return std::nullopt;

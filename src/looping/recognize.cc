@@ -35,6 +35,11 @@ Fix FixAtPlace(const Frame& frame, const Map& map, const Rigid3& guess, const st
   return FixWithExpected(frame, map, fix, expected);
 }
 
+bool Holds(const Fix& fix, const Evidence& evidence, const LoopingOptions& options) {
+  return fix.num_inliers >= static_cast<size_t>(options.min_inliers) && evidence.Share() >= options.min_share &&
+         evidence.Spread() >= options.min_spread;
+}
+
 /// How far the camera went from one keyframe to another, by the keyframes between.
 double PathBetween(const Map& map, KeyframeId from, KeyframeId to) {
   double path_m = 0;
@@ -73,15 +78,15 @@ std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, cons
   if (!coarse) return std::nullopt;
   const std::vector<KeyframeId> place = PlaceOf(older);
   const Fix fix = FixAtPlace(*newer.frame, map, coarse->cam_from_world, place);
-  const double share = Weigh(*newer.frame, map, fix, place).Share();
-  if (fix.num_inliers < static_cast<size_t>(options.min_inliers) || share < options.min_share) return std::nullopt;
-  return Recognition{newer.id, older.id, fix.cam_from_world, fix.num_inliers, share};
+  const Evidence evidence = Weigh(*newer.frame, map, fix, place);
+  if (!Holds(fix, evidence, options)) return std::nullopt;
+  return Recognition{newer.id, older.id, fix.cam_from_world, fix.num_inliers, evidence.Share()};
 }
 
 bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOptions& options) {
   constexpr size_t kAsked = 5;
   constexpr int kMinShared = 30;
-  constexpr double kMaxShift = 0.05, kMaxTurnRad = 0.05;  // between what was expected and what was found
+  constexpr double kMaxShift = 0.1, kMaxTurnRad = 0.07;  // between what was expected and what was found
   if (recognition.num_inliers >= static_cast<size_t>(options.certain_inliers) &&
       recognition.share >= options.certain_share) {
     return true;
@@ -92,10 +97,9 @@ bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOp
     const Keyframe& beside = *map.Find(id);
     const Rigid3 guess = beside.cam_from_world * newer.cam_from_world.Inverse() * recognition.cam_from_world;
     const Fix fix = FixAtPlace(*beside.frame, map, guess, place);
-    if (fix.num_inliers < static_cast<size_t>(options.min_inliers)) continue;
     const Rigid3 off = fix.cam_from_world * guess.Inverse();
     const bool agrees = off.translation.norm() < kMaxShift && off.RotationAngle() < kMaxTurnRad;
-    if (agrees && Weigh(*beside.frame, map, fix, place).Share() >= options.min_share) return true;
+    if (agrees && Holds(fix, Weigh(*beside.frame, map, fix, place), options)) return true;
   }
   return false;
 }
@@ -105,8 +109,7 @@ bool IsPlausible(const Map& map, const Recognition& recognition, const LoopingOp
   const Keyframe& newer = *map.Find(recognition.newer);
   if (newer.root != map.Find(recognition.older)->root) return true;
   const Rigid3 drift = recognition.cam_from_world * newer.cam_from_world.Inverse();
-  const double shift_m =
-      (recognition.cam_from_world.OriginInSource() - newer.cam_from_world.OriginInSource()).norm();
+  const double shift_m = (recognition.cam_from_world.OriginInSource() - newer.cam_from_world.OriginInSource()).norm();
   const double path_m = PathBetween(map, recognition.older, recognition.newer);
   return shift_m <= kAlwaysM + options.drift_per_metre * path_m &&
          drift.RotationAngle() * 180 / kPi <= options.max_drift_turn_deg;

@@ -78,7 +78,7 @@ SyntheticWorld::View SyntheticWorld::Look(const Rigid3& cam_from_world, FrameId 
     Eigen::Vector2d px = rig_->camera.Project(x_in_cam);
     px += noise_px * Eigen::Vector2d(random.Gaussian(), random.Gaussian());
     if (!frame->bounds.Contains(static_cast<float>(px.x()), static_cast<float>(px.y()))) continue;
-    const double disparity_px = rig_->baseline_px / x_in_cam.z() + options_.depth_noise * random.Gaussian();
+    const double disparity_px = rig_->VirtualBaselinePx() / x_in_cam.z() + options_.depth_noise * random.Gaussian();
     const bool has_depth = disparity_px > 0 && random.Uniform() < options_.depth_share;
     Keypoint keypoint;
     keypoint.x = static_cast<float>(px.x());
@@ -86,7 +86,7 @@ SyntheticWorld::View SyntheticWorld::Look(const Rigid3& cam_from_world, FrameId 
     keypoint.octave = static_cast<int>(octave);
     frame->keypoints.push_back(keypoint);
     frame->points_px.emplace_back(keypoint.x, keypoint.y);
-    frame->depth.push_back(has_depth ? static_cast<float>(rig_->baseline_px / disparity_px) : 0.f);
+    frame->depth.push_back(has_depth ? static_cast<float>(rig_->VirtualBaselinePx() / disparity_px) : 0.f);
     frame->right_px.push_back(has_depth ? static_cast<float>(px.x() - disparity_px)
                                         : std::numeric_limits<float>::quiet_NaN());
     frame->descriptors.push_back(Flip(points_[i].descriptor, options_.flipped_bits, random));

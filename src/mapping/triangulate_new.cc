@@ -30,7 +30,7 @@ bool FitsView(const Keyframe& keyframe, uint32_t index, const Eigen::Vector3d& x
 /// The cosine of the angle between the rays that the depth of a keypoint is measured by; 1 where it has none.
 double DepthParallaxCosine(const Frame& frame, uint32_t index) {
   if (!frame.HasDepth(index)) return 1;
-  const double half_baseline = 0.5 * frame.rig->baseline_px / frame.rig->camera.fx;
+  const double half_baseline = 0.5 * frame.rig->VirtualBaselinePx() / frame.rig->camera.fx;
   return std::cos(2 * std::atan2(half_baseline, frame.depth[index]));
 }
 
@@ -72,7 +72,7 @@ std::vector<LandmarkId> TriangulateNew(Map& map, KeyframeId keyframe, size_t num
   std::vector<LandmarkId> added;
   const auto center = [&]() -> const Keyframe& { return *map.Find(keyframe); };
   for (const KeyframeId neighbour : center().Strongest(num_neighbours, 1)) {
-    const double baseline = center().frame->rig->baseline_px / center().frame->rig->camera.fx;
+    const double baseline = center().frame->rig->VirtualBaselinePx() / center().frame->rig->camera.fx;
     const Keyframe& other = *map.Find(neighbour);
     const double distance = (center().cam_from_world.OriginInSource() - other.cam_from_world.OriginInSource()).norm();
     if (distance < baseline) continue;  // depth says more than so short a way

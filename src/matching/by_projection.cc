@@ -14,7 +14,7 @@ struct OctaveRange {
 };
 
 OctaveRange OctavesAfter(const Frame& frame, const Rigid3& cam_from_world, const Rigid3& last_cam_from_world) {
-  const double baseline = frame.rig->baseline_px / frame.rig->camera.fx;
+  const double baseline = frame.rig->VirtualBaselinePx() / frame.rig->camera.fx;
   const Eigen::Vector3d center_in_last = last_cam_from_world * cam_from_world.OriginInSource();
   if (center_in_last.z() > baseline) return {0, frame.scales->levels()};   // forward: things grew
   if (center_in_last.z() < -baseline) return {frame.scales->levels(), 0};  // backward: things shrank
@@ -22,7 +22,7 @@ OctaveRange OctavesAfter(const Frame& frame, const Rigid3& cam_from_world, const
 }
 
 float RightOf(const Frame& frame, double x_px, double depth) {
-  return static_cast<float>(x_px - frame.rig->baseline_px / depth);
+  return static_cast<float>(x_px - frame.rig->VirtualBaselinePx() / depth);
 }
 
 }  // namespace

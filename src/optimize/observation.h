@@ -20,7 +20,11 @@ struct Projection {
 
   Projection() = default;
   explicit Projection(const Rig& rig)
-      : fx(rig.camera.fx), fy(rig.camera.fy), cx(rig.camera.cx), cy(rig.camera.cy), baseline_px(rig.baseline_px) {}
+      : fx(rig.camera.fx),
+        fy(rig.camera.fy),
+        cx(rig.camera.cx),
+        cy(rig.camera.cy),
+        baseline_px(rig.VirtualBaselinePx()) {}
 };
 
 /// Where a point was seen: (x, y) in the ideal picture and, with depth, x in the virtual right one.

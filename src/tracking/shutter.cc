@@ -19,7 +19,7 @@ FramePtr WithoutShutter(const FramePtr& frame, const std::optional<CameraRate>& 
     corrected->points_px[i] = rig.camera.Project(x_in_cam).cast<float>();
     if (!frame->HasDepth(i)) continue;
     corrected->depth[i] = static_cast<float>(x_in_cam.z());
-    corrected->right_px[i] = corrected->points_px[i].x() - static_cast<float>(rig.baseline_px / x_in_cam.z());
+    corrected->right_px[i] = corrected->points_px[i].x() - static_cast<float>(rig.VirtualBaselinePx() / x_in_cam.z());
   }
   corrected->grid = Grid(corrected->bounds, corrected->points_px);
   return corrected;

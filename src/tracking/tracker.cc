@@ -165,15 +165,15 @@ std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map
 }
 
 std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) {
-  constexpr size_t kPlaces = 6;
-  constexpr double kMinShare = 0.2;
+  constexpr size_t kCandidates = 8;
+  constexpr double kMinShare = 0.12, kMinSpread = 0.4;
   const RecognitionTerms terms{static_cast<size_t>(options_.min_inliers_after_loss), options_.relocalize_radius_px,
-                               kMinShare};
+                               kMinShare, kMinSpread};
   const Random random(static_cast<uint64_t>(seed_), frame.id.value());
   if (!memory_.CanRecall()) return Relocalize(frame, map, NewestAndSomeOlder(map, frame.id), terms, random);
   memory_.Follow(map);
   const auto all = [](KeyframeId) { return true; };
-  return Relocalize(frame, map, memory_.Recall(map, memory_.Describe(frame), kPlaces, all), terms, random);
+  return Relocalize(frame, map, memory_.Recall(map, memory_.Describe(frame), kCandidates, all), terms, random);
 }
 
 std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const {
