@@ -3,7 +3,7 @@
 #include "localize/evidence.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 
 #include "localize/local_map.h"
@@ -27,56 +27,48 @@ bool CouldBeSeen(const Frame& frame, const ExpectedLandmark& expected, double de
   return nearest <= kNearPx && !is_hidden;
 }
 
-/// Counts what is expected and found in each part of the picture.
-class Parts {
+/// The area over which points scatter: the root of the determinant of their covariance.
+class Scatter {
  public:
-  explicit Parts(const PixelBounds& bounds) : bounds_(bounds) {}
-
-  void Add(const Eigen::Vector2f& px, bool is_found) {
-    const auto cell = [](float at, float from, float to, size_t count) {
-      const float share = std::clamp((at - from) / (to - from), 0.f, 1.f);
-      return std::min(static_cast<size_t>(share * static_cast<float>(count)), count - 1);
-    };
-    const size_t column = cell(px.x(), bounds_.min_x, bounds_.max_x, kColumns);
-    const size_t row = cell(px.y(), bounds_.min_y, bounds_.max_y, kRows);
-    ++expected_[row * kColumns + column];
-    found_[row * kColumns + column] += is_found;
+  void Add(const Eigen::Vector2f& px) {
+    const Eigen::Vector2d x = px.cast<double>();
+    ++count_;
+    sum_ += x;
+    squares_ += x * x.transpose();
   }
-
-  Evidence Sum() const {
-    constexpr size_t kEnough = 8, kFewest = 2, kOneIn = 10;
-    Evidence sum;
-    for (size_t i = 0; i < expected_.size(); ++i) {
-      sum.num_expected += expected_[i];
-      sum.num_found += found_[i];
-      if (expected_[i] < kEnough) continue;
-      ++sum.num_parts;
-      sum.num_parts_found += found_[i] >= kFewest && kOneIn * found_[i] >= expected_[i];
-    }
-    return sum;
+  double Area() const {
+    if (count_ < 3) return 0;
+    const double n = static_cast<double>(count_);
+    const Eigen::Matrix2d covariance = squares_ / n - (sum_ / n) * (sum_ / n).transpose();
+    return std::sqrt(std::max(covariance.determinant(), 0.0));
   }
+  size_t count() const { return count_; }
 
  private:
-  static constexpr size_t kColumns = 4, kRows = 3;
-  PixelBounds bounds_;
-  std::array<size_t, kColumns * kRows> expected_{}, found_{};
+  size_t count_ = 0;
+  Eigen::Vector2d sum_ = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d squares_ = Eigen::Matrix2d::Zero();
 };
 
 }  // namespace
 
 Evidence Weigh(const Frame& frame, const Map& map, const Fix& fix, const std::vector<KeyframeId>& keyframes) {
   constexpr float kWidening = 1;
-  Parts parts(frame.bounds);
+  Scatter found, expected;
   for (size_t i = 0; i < frame.size(); ++i) {
-    if (fix.matches[i].IsValid()) parts.Add(frame.points_px[i], true);
+    if (!fix.matches[i].IsValid()) continue;
+    found.Add(frame.points_px[i]);
+    expected.Add(frame.points_px[i]);
   }
   LocalMap local;
   local.keyframes = keyframes;
-  for (const auto& expected : ExpectLocalLandmarks(map, local, frame, fix.cam_from_world, fix.matches, kWidening)) {
-    const double depth_m = (fix.cam_from_world * expected.landmark->position).z();
-    if (CouldBeSeen(frame, expected, depth_m)) parts.Add(expected.area.px, false);
+  for (const auto& landmark : ExpectLocalLandmarks(map, local, frame, fix.cam_from_world, fix.matches, kWidening)) {
+    const double depth_m = (fix.cam_from_world * landmark.landmark->position).z();
+    if (CouldBeSeen(frame, landmark, depth_m)) expected.Add(landmark.area.px);
   }
-  return parts.Sum();
+  Evidence evidence{expected.count(), found.count(), 0};
+  if (expected.Area() > 0) evidence.spread = found.Area() / expected.Area();
+  return evidence;
 }
 
 }  // namespace yorb

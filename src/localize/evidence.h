@@ -8,20 +8,15 @@
 namespace yorb {
 
 /// What should be seen from a pose, and how much of it is. A poster on two walls gives a pose that fits its own points
-/// to the pixel; but what hangs around it in the one place is not to be found in the other. So it counts in how many
-/// parts of the picture something is found, too: chairs that moved cost a part or two, a poster has but its own.
+/// to the pixel; but what hangs around it in the one place is not to be found in the other. So it counts over how much
+/// of the picture the finds are spread, too.
 struct Evidence {
   size_t num_expected = 0;  ///< landmarks in view where the frame has something to compare
   size_t num_found = 0;     ///< of these, matched
-  size_t num_parts = 0;     ///< of the picture, with enough that is expected
-  size_t num_parts_found = 0;
+  double spread = 0;        ///< area over which those that were found scatter, as a share of that of all expected ones
 
-  double Share() const { return Ratio(num_found, num_expected); }
-  double Spread() const { return Ratio(num_parts_found, num_parts); }
-
- private:
-  static double Ratio(size_t part, size_t whole) {
-    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+  double Share() const {
+    return num_expected == 0 ? 0 : static_cast<double>(num_found) / static_cast<double>(num_expected);
   }
 };
 

@@ -68,7 +68,7 @@ std::optional<Fix> RelocalizeAgainst(const Frame& frame, const Map& map, const K
   if (fix->num_inliers < terms.min_inliers) return std::nullopt;
   if (!is_strict) return fix;
   const Evidence evidence = Weigh(frame, map, *fix, around);
-  if (evidence.Share() < terms.min_share || evidence.Spread() < terms.min_spread) return std::nullopt;
+  if (evidence.Share() < terms.min_share || evidence.spread < terms.min_spread) return std::nullopt;
   return fix;
 }
 

@@ -11,7 +11,7 @@ struct LoopingOptions {
   bool close_loops = true;         ///< and join sub-maps; needs a vocabulary
   int min_inliers = 40;            ///< landmarks of the old place that the new keyframe sees
   double min_share = 0.12;         ///< of those that it should see from there
-  double min_spread = 0.4;         ///< of the parts of the picture, how many must show some of them
+  double min_spread = 0.5;         ///< of the picture, over how much they must scatter
   int certain_inliers = 100;       ///< so many, at `certain_share`, need no second keyframe that agrees
   double certain_share = 0.3;      ///< see there
   double drift_per_metre = 0.1;    ///< a loop that asks for more than this of the path between is none

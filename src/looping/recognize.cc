@@ -35,9 +35,10 @@ Fix FixAtPlace(const Frame& frame, const Map& map, const Rigid3& guess, const st
   return FixWithExpected(frame, map, fix, expected);
 }
 
-bool Holds(const Fix& fix, const Evidence& evidence, const LoopingOptions& options) {
-  return fix.num_inliers >= static_cast<size_t>(options.min_inliers) && evidence.Share() >= options.min_share &&
-         evidence.Spread() >= options.min_spread;
+/// Whether a fix shows as much as the options ask for, or a part of it.
+bool Holds(const Fix& fix, const Evidence& evidence, const LoopingOptions& options, double part = 1) {
+  return static_cast<double>(fix.num_inliers) >= part * options.min_inliers &&
+         evidence.Share() >= part * options.min_share && evidence.spread >= part * options.min_spread;
 }
 
 /// How far the camera went from one keyframe to another, by the keyframes between.
@@ -86,6 +87,7 @@ std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, cons
 bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOptions& options) {
   constexpr size_t kAsked = 5;
   constexpr int kMinShared = 30;
+  constexpr double kPart = 0.7;  // of what is asked for, where the pose is known beforehand
   constexpr double kMaxShift = 0.1, kMaxTurnRad = 0.07;  // between what was expected and what was found
   if (recognition.num_inliers >= static_cast<size_t>(options.certain_inliers) &&
       recognition.share >= options.certain_share) {
@@ -99,7 +101,7 @@ bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOp
     const Fix fix = FixAtPlace(*beside.frame, map, guess, place);
     const Rigid3 off = fix.cam_from_world * guess.Inverse();
     const bool agrees = off.translation.norm() < kMaxShift && off.RotationAngle() < kMaxTurnRad;
-    if (agrees && Holds(fix, Weigh(*beside.frame, map, fix, place), options)) return true;
+    if (agrees && Holds(fix, Weigh(*beside.frame, map, fix, place), options, kPart)) return true;
   }
   return false;
 }

@@ -166,7 +166,7 @@ std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map
 
 std::optional<Fix> Tracker::RelocalizeInMap(const Frame& frame, const Map& map) {
   constexpr size_t kCandidates = 8;
-  constexpr double kMinShare = 0.12, kMinSpread = 0.4;
+  constexpr double kMinShare = 0.12, kMinSpread = 0.5;
   const RecognitionTerms terms{static_cast<size_t>(options_.min_inliers_after_loss), options_.relocalize_radius_px,
                                kMinShare, kMinSpread};
   const Random random(static_cast<uint64_t>(seed_), frame.id.value());
