@@ -158,6 +158,40 @@ std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::
   return sign;
 }
 
+BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
+                        const CellMask& after) {
+  BodyMemory memory{depth.RangeOf(box), {}, body};
+  for (int row = memory.range.top; row < memory.range.bottom; ++row) {
+    for (int column = memory.range.left; column < memory.range.right; ++column) {
+      const size_t cell = depth.IndexOf(column, row);
+      memory.cells.push_back(after[cell] != 0 && before[cell] == 0 ? kBody : uint8_t{0});
+    }
+  }
+  return memory;
+}
+
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
+  constexpr float kLeastShare = 0.6f;
+  const CellRange now = search.depth.RangeOf(box), &then = memory.range;
+  const int dx = (now.left + now.right - then.left - then.right) / 2;
+  const int dy = (now.top + now.bottom - then.top - then.bottom) / 2;
+  float num_seen = 0, num_on = 0;
+  auto is_body = memory.cells.begin();
+  for (int row = then.top; row < then.bottom; ++row) {
+    for (int column = then.left; column < then.right; ++column) {
+      if (*is_body++ == 0) continue;
+      const int x = column + dx, y = row + dy;
+      if (x < 0 || x >= search.depth.columns() || y < 0 || y >= search.depth.rows()) continue;
+      const float metres = search.depth.At(x, y);
+      if (metres <= 0 || search.taken[search.depth.IndexOf(x, y)] != 0) continue;
+      ++num_seen;
+      num_on += IsOn(memory.body, column, row, metres) ? 1.f : 0.f;
+    }
+  }
+  if (num_seen < kLeastMeasured || num_on < kLeastShare * num_seen) return std::nullopt;
+  return BodySign{memory.body.metres, num_on / num_seen, num_on};
+}
+
 BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign) {
   const CellRange range = search.depth.RangeOf(box);
   constexpr int kTurns = 8, kStep = 2;

@@ -44,6 +44,21 @@ struct BodySearch {
 /// too little was measured.
 std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres);
 
+/// Where a body was found: which cells of a range were its own, and its plane.
+struct BodyMemory {
+  CellRange range;
+  CellMask cells;  ///< of the range, row by row
+  BodyPlane body;
+};
+
+/// Remembers what a body added to a mask, about its box.
+BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
+                        const CellMask& after);
+
+/// Looks for a body that was found before in the same shape at the same depth, moved along with its box. It need not
+/// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone.
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
+
 /// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of
 /// the turn before, so that it follows the body up and down.
 BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign);
