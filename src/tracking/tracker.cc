@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "tracking/keyframe_policy.h"
 #include "localize/relocalizer.h"
+#include "tracking/keyframe_policy.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -69,11 +69,12 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   if (last_.frame && IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
-  std::optional<Located> located = FindPose(*frame, map);
+  Sought sought = FindPose(*frame, map);
+  std::optional<Located>& located = sought.located;
   Tracked tracked;
   ++frames_since_proposal_;
   if (!located) {
-    NoteLoss(*frame);
+    NoteLoss(*frame, sought.was_refused);
     return IsTimeForANewMap(*frame, backlog) ? Begin(raw_frame, map) : tracked;
   }
   if (!task_.only_locates) CountSeen(*located);
@@ -107,21 +108,27 @@ Tracked Tracker::StandStill() {
   return tracked;
 }
 
-std::optional<Tracker::Located> Tracker::FindPose(const Frame& frame, const Map& map) {
+Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
   using Way = std::optional<Fix> (Tracker::*)(const Frame&, const Map&) const;
-  std::optional<Located> best;
+  Sought sought;
+  std::optional<Located>& best = sought.located;
   const auto take = [&](const std::optional<Fix>& coarse) {
     std::optional<Located> located = coarse ? TrackLocalMap(frame, map, *coarse) : std::nullopt;
+    if (located && !IsPlausible(frame, map, located->fix)) {
+      sought.was_refused = true;
+      return false;
+    }
     if (located && (!best || NumInliers(located->fix) > NumInliers(best->fix))) best = std::move(located);
     return best && IsConvincing(best->fix);
   };
   if (state_ != TrackingState::kLost) {
     for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
-      if (take((this->*way)(frame, map))) return best;
+      if (take((this->*way)(frame, map))) return sought;
     }
+    if (!best && sought.was_refused) take(TrackFromPrediction(frame, map));
   }
   if (!best) take(RelocalizeInMap(frame, map));
-  return best;
+  return sought;
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
@@ -154,6 +161,19 @@ std::optional<Fix> Tracker::TrackFromLastByAppearance(const Frame& frame, const 
   AddDepthPointsOfLast(map, points);
   auto fix = FixByAppearance(frame, points, Random(static_cast<uint64_t>(seed_), frame.id.value()));
   if (fix && NumInliers(*fix) < kFewMatches) return std::nullopt;
+  return fix;
+}
+
+/// The prediction alone says where the landmarks of the place must be: what drew other ways elsewhere is left out.
+std::optional<Fix> Tracker::TrackFromPrediction(const Frame& frame, const Map& map) const {
+  constexpr float kWidening = 2;
+  const LocalMap local = CollectLocalMap(map, last_.matches, static_cast<size_t>(options_.max_local_keyframes));
+  Fix fix;
+  fix.cam_from_world = motion_.Predict(last_.frame->timestamp, frame.timestamp) * LastPose(map);
+  fix.matches.resize(frame.size());
+  const auto expected = ExpectLocalLandmarks(map, local, frame, fix.cam_from_world, fix.matches, kWidening);
+  fix = FixWithExpected(frame, map, fix, expected);
+  if (fix.num_inliers < kMinInliersOfGuess) return std::nullopt;
   return fix;
 }
 
@@ -207,6 +227,17 @@ bool Tracker::IsConfirmed(const Frame& frame, const Fix& fix) const {
   return num_inliers >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
 }
 
+/// Whether the camera can have come there from the frame before. Where much speaks for the pose, that does not count.
+bool Tracker::IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const {
+  constexpr size_t kMany = 150;
+  constexpr double kMost = 0.6;
+  const auto num_inliers = NumInliers(fix);
+  const bool is_sure =
+      num_inliers >= kMany && static_cast<double>(num_inliers) >= kMost * static_cast<double>(fix.num_matched);
+  if (is_sure || !last_.frame || state_ == TrackingState::kLost) return true;
+  return motion_.CanReach(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
+}
+
 /// Whether the frame before says nothing about this one: single pictures in no order are located one by one.
 bool Tracker::IsAlone(const Frame& frame) const {
   return task_.only_locates && last_.frame &&
@@ -223,7 +254,7 @@ void Tracker::CountSeen(const Located& located) {
 }
 
 void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
-  if (state_ == TrackingState::kTracking) {
+  if (state_ == TrackingState::kTracking || motion_.rate()) {
     motion_.Observe(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
   } else {
     motion_.Forget();
@@ -241,9 +272,9 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
   last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches};
 }
 
-void Tracker::NoteLoss(const Frame& frame) {
-  motion_.Forget();
-  if (!last_.frame) return;  // lost from the beginning
+void Tracker::NoteLoss(const Frame& frame, bool was_refused) {
+  if (!was_refused) motion_.Forget();  // otherwise the motion goes on unseen
+  if (!last_.frame) return;            // lost from the beginning
   const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
   state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
   const bool shows_something = CountPointsWithDepth(frame) >= options_.min_first_points;
