@@ -21,7 +21,6 @@ constexpr double kRing = 0.25;        // width of the surroundings, of the box's
 constexpr float kLeastMeasured = 24;  // cells
 constexpr float kMemory = 1.5f;       // how many times more being near the last depth is worth
 constexpr float kSameM = 0.4f;        // how far a body may go from picture to picture
-constexpr uint8_t kBody = 1;
 
 using Histogram = std::array<float, kBins>;
 
@@ -112,7 +111,7 @@ void Spread(CellMask& mask, const DepthCells& depth, const CellRange& range, con
       if (x < range.left || x >= range.right || y < range.top || y >= range.bottom) continue;
       uint8_t& cell = mask[depth.IndexOf(x, y)];
       const float metres = depth.At(x, y);
-      if (cell == kBody || !IsOn(body, x, y, metres)) continue;
+      if (cell != 0 || !IsOn(body, x, y, metres)) continue;
       cell = kBody;
       edge.emplace_back(x, y);
     }
@@ -164,7 +163,7 @@ BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane
   for (int row = memory.range.top; row < memory.range.bottom; ++row) {
     for (int column = memory.range.left; column < memory.range.right; ++column) {
       const size_t cell = depth.IndexOf(column, row);
-      memory.cells.push_back(after[cell] != 0 && before[cell] == 0 ? kBody : uint8_t{0});
+      memory.cells.push_back(after[cell] == kBody && before[cell] != kBody ? kBody : uint8_t{0});
     }
   }
   return memory;
@@ -232,8 +231,9 @@ CellMask WithBody(CellMask mask, const DepthCells& depth, const Box& box, const 
   std::vector<std::pair<int, int>> edge;
   for (int row = range.top; row < range.bottom; ++row) {
     for (int column = range.left; column < range.right; ++column) {
-      if (!IsOn(body, column, row, depth.At(column, row))) continue;
-      mask[depth.IndexOf(column, row)] = kBody;
+      uint8_t& cell = mask[depth.IndexOf(column, row)];
+      if (cell == kLying || !IsOn(body, column, row, depth.At(column, row))) continue;
+      cell = kBody;
       edge.emplace_back(column, row);
     }
   }

@@ -10,8 +10,10 @@
 
 namespace yorb {
 
-/// Which cells of a depth picture belong to something that moves: not 0.
+/// What the cells of a depth picture belong to: 0, or one of the following.
 using CellMask = std::vector<uint8_t>;
+constexpr uint8_t kBody = 1;   ///< something that moves
+constexpr uint8_t kLying = 2;  ///< a desk or a floor
 
 /// What speaks for a body in a box.
 struct BodySign {
@@ -35,7 +37,7 @@ struct BodyPlane {
 /// What surrounds the search for the body in a box.
 struct BodySearch {
   const DepthCells& depth;
-  const CellMask& taken;           ///< cells of bodies that are known already; they count for nothing
+  const CellMask& taken;           ///< cells that are known already; they count for nothing
   const std::vector<Box>& bodies;  ///< all boxes with bodies: within them there are no surroundings
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dynamics/body.h"
+#include "dynamics/lying_cells.h"
 
 namespace yorb {
 namespace {
@@ -19,11 +20,14 @@ constexpr float kBridgedM = 0.2f;   // how far a body that is only expected may 
 constexpr double kEdgePx = 2;       // how far depth and colour may disagree on an outline
 constexpr double kRingPx = 3;       // of FAST: a corner so near to an outline is made by it
 
-/// Marks all of a box.
+/// Marks all of a box but what lies.
 CellMask WithAllOf(CellMask mask, const DepthCells& depth, const Box& box) {
   const CellRange range = depth.RangeOf(box);
   for (int row = range.top; row < range.bottom; ++row) {
-    for (int column = range.left; column < range.right; ++column) mask[depth.IndexOf(column, row)] = 1;
+    for (int column = range.left; column < range.right; ++column) {
+      uint8_t& cell = mask[depth.IndexOf(column, row)];
+      if (cell == 0) cell = kBody;
+    }
   }
   return mask;
 }
@@ -59,7 +63,7 @@ std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& sea
 double ShareTaken(const CellMask& mask, const CellRange& range, const DepthCells& depth) {
   int taken = 0;
   for (int row = range.top; row < range.bottom; ++row) {
-    for (int column = range.left; column < range.right; ++column) taken += mask[depth.IndexOf(column, row)];
+    for (int column = range.left; column < range.right; ++column) taken += mask[depth.IndexOf(column, row)] == kBody;
   }
   return range.size() > 0 ? static_cast<double>(taken) / range.size() : 1;
 }
@@ -92,7 +96,7 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ti
     boxes.push_back(track.at.box);
     open.push_back(&track);
   }
-  CellMask mask(depth.IndexOf(0, depth.rows()), 0);
+  CellMask mask = MarkLying(depth);
   while (!open.empty()) {
     const BodySearch search{depth, mask, boxes};
     std::optional<BodySign> sign;
@@ -122,7 +126,7 @@ CellMask WithCarried(CellMask mask, const std::vector<BoxTrack>& tracks, const D
         for (int column = range.left; column < range.right; ++column) {
           const float metres = depth.At(column, row);
           if (metres > 0 && std::abs(metres - body.body->body.metres) < kCarriedReachM)
-            mask[depth.IndexOf(column, row)] = 1;
+            mask[depth.IndexOf(column, row)] = kBody;
         }
       }
     }
@@ -215,7 +219,8 @@ void Remover::FollowBodies(const ImageSet& images, const SeenAt& looked, MovingA
   const DepthCells depth(images.depth);
   const CellMask mask = WithCarried(MaskOfBodies(tracks, depth, images.timestamp), tracks, depth);
   areas.bodies_ = cv::Mat(depth.rows(), depth.columns(), CV_8UC1);
-  std::copy(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>());
+  std::transform(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>(),
+                 [](uint8_t cell) { return cell == kBody ? kBody : uint8_t{0}; });
 }
 
 }  // namespace yorb
