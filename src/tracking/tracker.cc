@@ -201,9 +201,13 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   LocalMap& local = located.local;
   local = CollectLocalMap(map, coarse.matches, static_cast<size_t>(options_.max_local_keyframes));
   if (local.keyframes.empty()) {
-    // No landmark is in view, but the frame before is: its keyframe stands for the place.
-    const KeyframeId near = map.Surviving(last_.reference);
-    if (map.Find(near)) local.keyframes.push_back(local.reference = near);
+    // No landmark was matched, but the frame before is in view: its keyframe and, where it lies in the same sub-map,
+    // the newest one, which may have been made of that very frame, stand for the place.
+    const Keyframe* near = map.Find(map.Surviving(last_.reference));
+    const Keyframe* newest = map.Find(map.newest_keyframe());
+    if (near && newest && newest->root == near->root) local.keyframes.push_back(newest->id);
+    if (near && near != newest) local.keyframes.push_back(near->id);
+    if (near) local.reference = local.keyframes.front();
   }
   const auto widening = static_cast<float>(options_.local_widening);
   const std::vector<ExpectedLandmark> expected =
