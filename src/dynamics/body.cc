@@ -132,6 +132,14 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
   return !was_measured;
 }
 
+/// Whether what lies around a box is mostly at the depth of the body: then it is a wall.
+bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body) {
+  const Histogram around = Around(search, box);
+  const int bin = static_cast<int>(BinOf(body.metres));
+  const float near = Sum(around, bin - static_cast<int>(kBackM / kBinM), bin + static_cast<int>(kBackM / kBinM) + 1);
+  return near > 0.5f * std::max(Sum(around, 0, kBins), kLeastMeasured);
+}
+
 }  // namespace
 
 std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres) {
@@ -171,6 +179,7 @@ BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane
 
 std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
   constexpr float kLeastShare = 0.6f;
+  if (GoesOnAround(search, box, memory.body)) return std::nullopt;
   const CellRange now = search.depth.RangeOf(box), &then = memory.range;
   const int dx = (now.left + now.right - then.left - then.right) / 2;
   const int dy = (now.top + now.bottom - then.top - then.bottom) / 2;

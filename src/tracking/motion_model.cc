@@ -27,11 +27,11 @@ Rigid3 MotionModel::Predict(Timestamp from, Timestamp to) const {
   return rate_->After(seconds);
 }
 
-bool MotionModel::CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_from) const {
+bool MotionModel::CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_from, double effort) const {
   const double seconds = SecondsBetween(from, to);
   if (!rate_ || seconds <= 0 || seconds > kLongestPause) return true;
   // A rate is the mean over its step: from the middle of one step to the middle of the next it may change.
-  const double reach = seconds * (seconds + step_s_) / 2;
+  const double reach = effort * seconds * (seconds + step_s_) / 2;
   const auto is_near = [&](const CameraRate& rate) {
     const Rigid3 off = to_from_from * rate.After(seconds).Inverse();
     return off.translation.norm() <= kMostAcceleration * reach && off.RotationAngle() <= kMostTurnAcceleration * reach;

@@ -30,7 +30,8 @@ class MotionModel {
   /// Whether a hand or a robot can have brought the camera there: its speed and turn have changed by no more than
   /// their acceleration allows, from the newest step or, which may have been a little off, the one before. True where
   /// nothing is known of the motion.
-  bool CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_from) const;
+  /// `effort`: which share of the possible acceleration is allowed.
+  bool CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_from, double effort = 1) const;
 
   void Forget() { rate_.reset(), rate_before_.reset(); }
 

@@ -92,7 +92,8 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   const KeyframeQuestion question{
       *frame, fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
       backlog};
-  if (!task_.only_locates && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
+  const bool is_sure = NumInliers(fix) >= static_cast<size_t>(options_.min_inliers);
+  if (!task_.only_locates && is_sure && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
   return tracked;
 }
 
@@ -125,7 +126,7 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
     for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
       if (take((this->*way)(frame, map))) return sought;
     }
-    if (!best && sought.was_refused) take(TrackFromPrediction(frame, map));
+    if (!best) take(TrackFromPrediction(frame, map));
   }
   if (!best) take(RelocalizeInMap(frame, map));
   return sought;
@@ -167,6 +168,7 @@ std::optional<Fix> Tracker::TrackFromLastByAppearance(const Frame& frame, const 
 /// The prediction alone says where the landmarks of the place must be: what drew other ways elsewhere is left out.
 std::optional<Fix> Tracker::TrackFromPrediction(const Frame& frame, const Map& map) const {
   constexpr float kWidening = 2;
+  if (!motion_.rate()) return std::nullopt;
   const LocalMap local = CollectLocalMap(map, last_.matches, static_cast<size_t>(options_.max_local_keyframes));
   Fix fix;
   fix.cam_from_world = motion_.Predict(last_.frame->timestamp, frame.timestamp) * LastPose(map);
@@ -215,17 +217,19 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   located.fix = FixWithExpected(frame, map, coarse, expected);
   located.visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
-  if (IsConfirmed(frame, located.fix)) return located;
+  if (IsConfirmed(frame, map, located.fix)) return located;
   // Too little of the map is in view; the frame before, with its own depth, may carry on alone.
   located.fix = coarse;
-  if (IsConfirmed(frame, coarse)) return located;
+  if (IsConfirmed(frame, map, coarse)) return located;
   return std::nullopt;
 }
 
-bool Tracker::IsConfirmed(const Frame& frame, const Fix& fix) const {
+bool Tracker::IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) const {
   constexpr double kWarySeconds = 1.0;
   const bool is_wary = was_lost_ && SecondsBetween(lost_since_, frame.timestamp) < kWarySeconds;
-  const int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
+  int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
+  // Where people hide the view, a few points say enough, if they agree and the camera goes on as it did.
+  if (IsConvincing(fix) && GoesOn(frame, map, fix)) needed = options_.min_inliers_going_on;
   // Without a mapper that takes in what is new, points of the frame before lead away from the map unnoticed.
   const size_t num_inliers = task_.only_locates ? fix.num_inliers : NumInliers(fix);
   return num_inliers >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
@@ -240,6 +244,14 @@ bool Tracker::IsPlausible(const Frame& frame, const Map& map, const Fix& fix) co
       num_inliers >= kMany && static_cast<double>(num_inliers) >= kMost * static_cast<double>(fix.num_matched);
   if (is_sure || !last_.frame || state_ == TrackingState::kLost) return true;
   return motion_.CanReach(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
+}
+
+/// Whether the camera moves on about as it did in the frame before.
+bool Tracker::GoesOn(const Frame& frame, const Map& map, const Fix& fix) const {
+  constexpr double kEase = 0.25;  // of what a camera can do
+  if (state_ != TrackingState::kTracking || !motion_.rate()) return false;
+  const Rigid3 step = fix.cam_from_world * LastPose(map).Inverse();
+  return motion_.CanReach(last_.frame->timestamp, frame.timestamp, step, kEase);
 }
 
 /// Whether the frame before says nothing about this one: single pictures in no order are located one by one.

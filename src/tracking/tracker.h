@@ -76,7 +76,8 @@ class Tracker {
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
   std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map);
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
-  bool IsConfirmed(const Frame& frame, const Fix& fix) const;
+  bool IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) const;
+  bool GoesOn(const Frame& frame, const Map& map, const Fix& fix) const;
   bool IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const;
   bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
