@@ -153,6 +153,7 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
   if (points.size() >= kEnoughLandmarks && search(points, predicted, radius_px)) return best;
   AddDepthPointsOfLast(map, points);
   if (search(points, predicted, radius_px) || search(points, predicted, kWider * radius_px)) return best;
+  if (search(points, predicted, kWidest * radius_px)) return best;
   search(points, last_pose, kWidest * radius_px);
   return best;
 }
@@ -217,7 +218,9 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   located.fix = FixWithExpected(frame, map, coarse, expected);
   located.visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
-  if (IsConfirmed(frame, map, located.fix)) return located;
+  constexpr size_t kFarMore = 3;
+  const bool is_of_the_map = kFarMore * located.fix.num_inliers >= NumInliers(coarse);
+  if (is_of_the_map && IsConfirmed(frame, map, located.fix)) return located;
   // Too little of the map is in view; the frame before, with its own depth, may carry on alone.
   located.fix = coarse;
   if (IsConfirmed(frame, map, coarse)) return located;
