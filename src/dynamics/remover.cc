@@ -105,7 +105,9 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ti
     if (body) {
       const CellMask before = mask;
       mask = WithBody(std::move(mask), depth, track.at.box, *body);
-      track.body = RememberBody(depth, track.at.box, *body, before, mask);
+      // Only what the detector sees is remembered: a memory of memories would wander off into the background.
+      const bool is_new = !track.IsBridged(now) && sign && sign->score >= kLeastScoreBridged;
+      if (is_new) track.body = RememberBody(depth, track.at.box, *body, before, mask);
       track.body_seen = now;
     } else if (IsSure(track, now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {
       // Where depth cannot tell the body from what is around it, the box counts as a whole, as in the paper.
