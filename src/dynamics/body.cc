@@ -132,12 +132,14 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
   return !was_measured;
 }
 
-/// Whether what lies around a box is mostly at the depth of the body: then it is a wall.
+/// Whether what lies around a box is mostly at the depth of the body: then it is a wall. So may be a box without
+/// surroundings.
 bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body) {
   const Histogram around = Around(search, box);
   const int bin = static_cast<int>(BinOf(body.metres));
   const float near = Sum(around, bin - static_cast<int>(kBackM / kBinM), bin + static_cast<int>(kBackM / kBinM) + 1);
-  return near > 0.5f * std::max(Sum(around, 0, kBins), kLeastMeasured);
+  const float all = Sum(around, 0, kBins);
+  return all < kLeastMeasured || near > 0.5f * all;
 }
 
 }  // namespace
@@ -175,6 +177,10 @@ BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane
     }
   }
   return memory;
+}
+
+bool HasSurroundings(const BodySearch& search, const Box& box) {
+  return Sum(Around(search, box), 0, kBins) >= kLeastMeasured;
 }
 
 std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {

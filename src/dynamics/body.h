@@ -57,9 +57,12 @@ struct BodyMemory {
 BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
                         const CellMask& after);
 
+/// Whether enough was measured around a box, outside of all boxes, to tell a body from a wall.
+bool HasSurroundings(const BodySearch& search, const Box& box);
+
 /// Looks for a body that was found before in the same shape at the same depth, moved along with its box. It need not
 /// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone, or where
-/// most of what surrounds the box is as far away: that is a wall.
+/// most of what surrounds the box is as far away, or nothing does: that may be a wall.
 std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
 
 /// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of

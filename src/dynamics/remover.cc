@@ -50,6 +50,7 @@ std::optional<float> LastDepth(const BoxTrack& track) {
 /// The body of a track, by what stands out in its box (`sign`), or else where it was found before.
 std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& search,
                                     const std::optional<BodySign>& sign, Timestamp now) {
+  if (!IsSure(track, now) && !HasSurroundings(search, track.at.box)) return std::nullopt;
   if (sign) {
     const BodyPlane body = FitBody(search, track.at.box, *sign);
     if (IsBelievable(track, sign->score, body, now)) return body;

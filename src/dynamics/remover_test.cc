@@ -165,6 +165,20 @@ TEST(Remover, ABodyThatIsMissedIsFoundWhereItWas) {
   EXPECT_LT(look(30, empty, {}).dynamic_removed, 0.05) << "the body has gone";
 }
 
+TEST(Remover, AWholePictureIsNotFoundAgain) {
+  Scene scene = MakeScene(1.4);
+  scene.box = {"person", 0.9, 0, 0, kWidth, kHeight};
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  for (int i = 0; i < 5; ++i) {
+    scene.images.timestamp = {i * 33000000};
+    remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
+  }
+  scene.images.timestamp = {5 * 33000000};
+  const std::vector<Verdict> verdicts =
+      remover.Look(scene.images, {{true, {}}, scene.images.timestamp}).Judge(Points());
+  EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::kDynamic), 0);
+}
+
 TEST(Remover, AFaintBoxAloneTakesNothing) {
   Scene scene = MakeScene(1.4);
   scene.box.confidence = 0.15;
