@@ -21,7 +21,6 @@ constexpr double kRing = 0.25;        // width of the surroundings, of the box's
 constexpr float kLeastMeasured = 24;  // cells
 constexpr float kMemory = 1.5f;       // how many times more being near the last depth is worth
 constexpr float kSameM = 0.4f;        // how far a body may go from picture to picture
-constexpr uint8_t kBody = 1;
 
 using Histogram = std::array<float, kBins>;
 
@@ -112,7 +111,7 @@ void Spread(CellMask& mask, const DepthCells& depth, const CellRange& range, con
       if (x < range.left || x >= range.right || y < range.top || y >= range.bottom) continue;
       uint8_t& cell = mask[depth.IndexOf(x, y)];
       const float metres = depth.At(x, y);
-      if (cell == kBody || !IsOn(body, x, y, metres)) continue;
+      if (cell != 0 || !IsOn(body, x, y, metres)) continue;
       cell = kBody;
       edge.emplace_back(x, y);
     }
@@ -131,6 +130,16 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
     }
   }
   return !was_measured;
+}
+
+/// Whether what lies around a box is mostly at the depth of the body: then it is a wall. So may be a box without
+/// surroundings.
+bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body) {
+  const Histogram around = Around(search, box);
+  const int bin = static_cast<int>(BinOf(body.metres));
+  const float near = Sum(around, bin - static_cast<int>(kBackM / kBinM), bin + static_cast<int>(kBackM / kBinM) + 1);
+  const float all = Sum(around, 0, kBins);
+  return all < kLeastMeasured || near > 0.5f * all;
 }
 
 }  // namespace
@@ -156,6 +165,45 @@ std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::
   sign.score = Sum(excess, best, best + kWindowBins);
   sign.num_cells = sign.score * num_measured;
   return sign;
+}
+
+BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
+                        const CellMask& after) {
+  BodyMemory memory{depth.RangeOf(box), {}, body};
+  for (int row = memory.range.top; row < memory.range.bottom; ++row) {
+    for (int column = memory.range.left; column < memory.range.right; ++column) {
+      const size_t cell = depth.IndexOf(column, row);
+      memory.cells.push_back(after[cell] == kBody && before[cell] != kBody ? kBody : uint8_t{0});
+    }
+  }
+  return memory;
+}
+
+bool HasSurroundings(const BodySearch& search, const Box& box) {
+  return Sum(Around(search, box), 0, kBins) >= kLeastMeasured;
+}
+
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
+  constexpr float kLeastShare = 0.6f;
+  if (GoesOnAround(search, box, memory.body)) return std::nullopt;
+  const CellRange now = search.depth.RangeOf(box), &then = memory.range;
+  const int dx = (now.left + now.right - then.left - then.right) / 2;
+  const int dy = (now.top + now.bottom - then.top - then.bottom) / 2;
+  float num_seen = 0, num_on = 0;
+  auto is_body = memory.cells.begin();
+  for (int row = then.top; row < then.bottom; ++row) {
+    for (int column = then.left; column < then.right; ++column) {
+      if (*is_body++ == 0) continue;
+      const int x = column + dx, y = row + dy;
+      if (x < 0 || x >= search.depth.columns() || y < 0 || y >= search.depth.rows()) continue;
+      const float metres = search.depth.At(x, y);
+      if (metres <= 0 || search.taken[search.depth.IndexOf(x, y)] != 0) continue;
+      ++num_seen;
+      num_on += IsOn(memory.body, column, row, metres) ? 1.f : 0.f;
+    }
+  }
+  if (num_seen < kLeastMeasured || num_on < kLeastShare * num_seen) return std::nullopt;
+  return BodySign{memory.body.metres, num_on / num_seen, num_on};
 }
 
 BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign) {
@@ -198,8 +246,9 @@ CellMask WithBody(CellMask mask, const DepthCells& depth, const Box& box, const 
   std::vector<std::pair<int, int>> edge;
   for (int row = range.top; row < range.bottom; ++row) {
     for (int column = range.left; column < range.right; ++column) {
-      if (!IsOn(body, column, row, depth.At(column, row))) continue;
-      mask[depth.IndexOf(column, row)] = kBody;
+      uint8_t& cell = mask[depth.IndexOf(column, row)];
+      if (cell == kLying || !IsOn(body, column, row, depth.At(column, row))) continue;
+      cell = kBody;
       edge.emplace_back(column, row);
     }
   }

@@ -10,8 +10,10 @@
 
 namespace yorb {
 
-/// Which cells of a depth picture belong to something that moves: not 0.
+/// What the cells of a depth picture belong to: 0, or one of the following.
 using CellMask = std::vector<uint8_t>;
+constexpr uint8_t kBody = 1;   ///< something that moves
+constexpr uint8_t kLying = 2;  ///< a desk or a floor
 
 /// What speaks for a body in a box.
 struct BodySign {
@@ -35,7 +37,7 @@ struct BodyPlane {
 /// What surrounds the search for the body in a box.
 struct BodySearch {
   const DepthCells& depth;
-  const CellMask& taken;           ///< cells of bodies that are known already; they count for nothing
+  const CellMask& taken;           ///< cells that are known already; they count for nothing
   const std::vector<Box>& bodies;  ///< all boxes with bodies: within them there are no surroundings
 };
 
@@ -43,6 +45,25 @@ struct BodySearch {
 /// does not go on outside of it. `last_metres`: where it was in the picture before, if it was seen there. Nothing where
 /// too little was measured.
 std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres);
+
+/// Where a body was found: which cells of a range were its own, and its plane.
+struct BodyMemory {
+  CellRange range;
+  CellMask cells;  ///< of the range, row by row
+  BodyPlane body;
+};
+
+/// Remembers what a body added to a mask, about its box.
+BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
+                        const CellMask& after);
+
+/// Whether enough was measured around a box, outside of all boxes, to tell a body from a wall.
+bool HasSurroundings(const BodySearch& search, const Box& box);
+
+/// Looks for a body that was found before in the same shape at the same depth, moved along with its box. It need not
+/// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone, or where
+/// most of what surrounds the box is as far away, or nothing does: that may be a wall.
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
 
 /// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of
 /// the turn before, so that it follows the body up and down.

@@ -11,6 +11,7 @@ namespace {
 constexpr double kLeastOverlap = 0.25;  // IoU of a box and where it was expected
 constexpr int kSeenToBridge = 2;        // pictures; one false box is gone with its picture
 constexpr double kBridgeS = 0.5;        // how long a detector may miss what it saw
+constexpr double kBodyS = 1.5;          // the same while depth shows the body where it must be
 constexpr double kUnlookedS = 1.0;      // the same while nobody looks: boxes of a slow detector
 constexpr double kSmoothing = 0.5;      // of velocities
 
@@ -50,24 +51,30 @@ void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>&
   const double age_s = SecondsBetween(at, now);
   struct Pair {
     double overlap;
+    bool is_sure;
     size_t track, box;
   };
   std::vector<Pair> pairs;
   for (size_t t = 0; t < tracks_.size(); ++t) {
     for (size_t b = 0; b < seen.size(); ++b) {
       const double overlap = IoU(Moved(tracks_[t].at.box, tracks_[t], -age_s), seen[b].box);
-      if (overlap >= kLeastOverlap && tracks_[t].at.motion == seen[b].motion) pairs.push_back({overlap, t, b});
+      const bool is_sure = seen[b].box.confidence >= sure_confidence_;
+      if (overlap >= kLeastOverlap && tracks_[t].at.motion == seen[b].motion) pairs.push_back({overlap, is_sure, t, b});
     }
   }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.overlap > b.overlap; });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return a.is_sure != b.is_sure ? a.is_sure : a.overlap > b.overlap;
+  });
   std::vector<bool> is_track_done(tracks_.size()), is_box_done(seen.size());
   for (const Pair& pair : pairs) {
     if (is_track_done[pair.track] || is_box_done[pair.box]) continue;
     is_track_done[pair.track] = is_box_done[pair.box] = true;
     See(tracks_[pair.track], seen[pair.box], at, now);
+    tracks_[pair.track].is_faint = !pair.is_sure;
   }
   for (size_t b = 0; b < seen.size(); ++b) {
-    if (is_box_done[b] || seen[b].motion == Motion::kStatic) continue;
+    const bool is_sure = seen[b].box.confidence >= sure_confidence_;
+    if (is_box_done[b] || !is_sure || seen[b].motion == Motion::kStatic) continue;
     BoxTrack track;
     See(track, seen[b], at, now);
     tracks_.push_back(track);
@@ -86,7 +93,9 @@ void BoxTracks::Update(Timestamp now, const SeenAt& looked, const MotionTable& t
     if (!track.IsBridged(now)) return false;
     const bool was_missed = track.last_seen < last_look_;
     if (was_missed && track.num_seen < kSeenToBridge) return true;
-    return SecondsBetween(track.last_seen, now) > (was_missed ? kBridgeS : kUnlookedS);
+    const double missed_s = SecondsBetween(track.last_seen, now);
+    const bool has_body = track.body && SecondsBetween(track.body_seen, now) < kBridgeS;
+    return missed_s > (!was_missed ? kUnlookedS : has_body ? kBodyS : kBridgeS);
   };
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), is_over), tracks_.end());
 }

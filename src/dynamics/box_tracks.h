@@ -7,6 +7,7 @@
 
 #include "core/time.h"
 #include "detection/detector.h"
+#include "dynamics/body.h"
 #include "dynamics/removal_rules.h"
 
 namespace yorb {
@@ -24,16 +25,23 @@ struct BoxTrack {
   Timestamp last_seen;              ///< the picture for which the detector last had news of it
   Box seen_box;                     ///< where the detector saw it then,
   Timestamp seen_at;                ///< and in which picture, which may be an older one
-  std::optional<float> depth_m;     ///< of its body where it was last found; for whoever looks for bodies
+  bool is_faint = false;            ///< hardly seen: alone, the box would say nothing
+  std::optional<BodyMemory> body;   ///< where it was last found; for whoever looks for bodies
+  Timestamp body_seen;              ///< and when
   double x_per_s = 0, y_per_s = 0;  ///< motion of the box's middle, px/s
 
   bool IsBridged(Timestamp now) const { return last_seen < now; }
 };
 
 /// Bridges what a detector misses: a box that was seen in two pictures stays, moving on at constant velocity, for a
-/// while after the detector lost it. Static things are not followed: their boxes are only those of this picture.
+/// while after the detector lost it, and for longer while its body is found there. Static things are not followed:
+/// their boxes are only those of this picture. What a detector hardly sees continues what it saw before, but begins
+/// nothing.
 class BoxTracks {
  public:
+  /// `sure_confidence`: boxes below it begin nothing.
+  explicit BoxTracks(double sure_confidence = 0) : sure_confidence_(sure_confidence) {}
+
   /// Takes what was seen for the picture at `now` (later than the time before); boxes of an older picture move on to
   /// now with what they belong to. Afterwards `tracks` holds all that must be assumed to be there. `width`, `height`:
   /// of the picture, px.
@@ -45,6 +53,7 @@ class BoxTracks {
   void MoveTo(Timestamp now, int width, int height);
   void Match(Timestamp now, Timestamp at, const std::vector<SortedBox>& seen);
 
+  double sure_confidence_;
   std::vector<BoxTrack> tracks_;
   std::optional<Timestamp> last_;
   Timestamp last_look_;

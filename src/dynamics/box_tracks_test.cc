@@ -39,6 +39,20 @@ TEST_F(BoxTracksTest, AMissedBoxMovesOnForAWhile) {
   EXPECT_EQ(Count(), 0u);
 }
 
+TEST_F(BoxTracksTest, AFaintBoxContinuesButBeginsNothing) {
+  BoxTracks tracks(0.25);
+  const auto see = [&](int i, Box box, double confidence) {
+    box.confidence = confidence;
+    tracks.Update(FrameTime(i), {{true, {box}}, FrameTime(i)}, MotionTable::Default(), 640, 480);
+    return tracks.tracks().size();
+  };
+  EXPECT_EQ(see(0, Walker(0), 0.1), 0u);
+  EXPECT_EQ(see(1, Walker(1), 0.5), 1u);
+  for (int i = 2; i < 40; ++i) ASSERT_EQ(see(i, Walker(i), 0.1), 1u);
+  EXPECT_FALSE(tracks.tracks()[0].IsBridged(FrameTime(39)));
+  EXPECT_NEAR(tracks.tracks()[0].at.box.left, Walker(39).left, 1);
+}
+
 TEST_F(BoxTracksTest, OneFalseBoxIsGoneWithItsPicture) {
   See(0, {Walker(0)});
   See(1, {});

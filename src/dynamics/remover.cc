@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "dynamics/body.h"
+#include "dynamics/lying_cells.h"
 
 namespace yorb {
 namespace {
@@ -19,27 +20,51 @@ constexpr float kBridgedM = 0.2f;   // how far a body that is only expected may 
 constexpr double kEdgePx = 2;       // how far depth and colour may disagree on an outline
 constexpr double kRingPx = 3;       // of FAST: a corner so near to an outline is made by it
 
-/// Marks all of a box.
+/// Marks all of a box but what lies.
 CellMask WithAllOf(CellMask mask, const DepthCells& depth, const Box& box) {
   const CellRange range = depth.RangeOf(box);
   for (int row = range.top; row < range.bottom; ++row) {
-    for (int column = range.left; column < range.right; ++column) mask[depth.IndexOf(column, row)] = 1;
+    for (int column = range.left; column < range.right; ++column) {
+      uint8_t& cell = mask[depth.IndexOf(column, row)];
+      if (cell == 0) cell = kBody;
+    }
   }
   return mask;
 }
 
-/// Whether a body stands out; one that the detector did not see just now must be where it was.
+/// Whether the detector sees it in this very picture, and is sure of it.
+bool IsSure(const BoxTrack& track, Timestamp now) { return !track.IsBridged(now) && !track.is_faint; }
+
+/// Whether a body stands out; one that the detector did not surely see just now must be where it was.
 bool IsBelievable(const BoxTrack& track, float score, const BodyPlane& body, Timestamp now) {
-  if (!track.IsBridged(now)) return score >= kLeastScore;
-  const bool is_there = track.depth_m && std::abs(body.metres - *track.depth_m) < kBridgedM;
+  if (IsSure(track, now)) return score >= kLeastScore;
+  const bool is_there = track.body && std::abs(body.metres - track.body->body.metres) < kBridgedM;
   return is_there && score >= kLeastScoreBridged;
+}
+
+/// The depth at which a body was last found.
+std::optional<float> LastDepth(const BoxTrack& track) {
+  return track.body ? std::optional<float>(track.body->body.metres) : std::nullopt;
+}
+
+/// The body of a track, by what stands out in its box (`sign`), or else where it was found before.
+std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& search,
+                                    const std::optional<BodySign>& sign, Timestamp now) {
+  if (!IsSure(track, now) && !HasSurroundings(search, track.at.box)) return std::nullopt;
+  if (sign) {
+    const BodyPlane body = FitBody(search, track.at.box, *sign);
+    if (IsBelievable(track, sign->score, body, now)) return body;
+  }
+  const auto again = track.body ? FindAgain(search, track.at.box, *track.body) : std::nullopt;
+  if (again) return FitBody(search, track.at.box, *again);
+  return std::nullopt;
 }
 
 /// How much of a box is known as the body of others.
 double ShareTaken(const CellMask& mask, const CellRange& range, const DepthCells& depth) {
   int taken = 0;
   for (int row = range.top; row < range.bottom; ++row) {
-    for (int column = range.left; column < range.right; ++column) taken += mask[depth.IndexOf(column, row)];
+    for (int column = range.left; column < range.right; ++column) taken += mask[depth.IndexOf(column, row)] == kBody;
   }
   return range.size() > 0 ? static_cast<double>(taken) / range.size() : 1;
 }
@@ -50,7 +75,7 @@ BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Times
   size_t best = 0;
   bool is_best_bridged = true;
   for (size_t i = 0; i < open.size(); ++i) {
-    const auto found = FindBody(search, open[i]->at.box, open[i]->depth_m);
+    const auto found = FindBody(search, open[i]->at.box, LastDepth(*open[i]));
     const bool is_bridged = open[i]->IsBridged(now);
     if (!found || (sign && is_bridged && !is_best_bridged)) continue;
     if (sign && is_bridged == is_best_bridged && found->num_cells <= sign->num_cells) continue;
@@ -72,17 +97,20 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ti
     boxes.push_back(track.at.box);
     open.push_back(&track);
   }
-  CellMask mask(depth.IndexOf(0, depth.rows()), 0);
+  CellMask mask = MarkLying(depth);
   while (!open.empty()) {
     const BodySearch search{depth, mask, boxes};
     std::optional<BodySign> sign;
     BoxTrack& track = TakeNext(open, search, now, sign);
-    std::optional<BodyPlane> body;
-    if (sign) body = FitBody(search, track.at.box, *sign);
-    if (body && IsBelievable(track, sign->score, *body, now)) {
+    const auto body = FindBodyOf(track, search, sign, now);
+    if (body) {
+      const CellMask before = mask;
       mask = WithBody(std::move(mask), depth, track.at.box, *body);
-      track.depth_m = body->metres;
-    } else if (!track.IsBridged(now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {
+      // Only what the detector sees is remembered: a memory of memories would wander off into the background.
+      const bool is_new = !track.IsBridged(now) && sign && sign->score >= kLeastScoreBridged;
+      if (is_new) track.body = RememberBody(depth, track.at.box, *body, before, mask);
+      track.body_seen = now;
+    } else if (IsSure(track, now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {
       // Where depth cannot tell the body from what is around it, the box counts as a whole, as in the paper.
       mask = WithAllOf(std::move(mask), depth, track.at.box);
     }
@@ -95,12 +123,13 @@ CellMask WithCarried(CellMask mask, const std::vector<BoxTrack>& tracks, const D
   for (const BoxTrack& carried : tracks) {
     if (carried.at.motion != Motion::kLow) continue;
     for (const BoxTrack& body : tracks) {
-      if (body.at.motion != Motion::kHigh || !body.depth_m || !Overlap(body.at.box, carried.at.box)) continue;
+      if (body.at.motion != Motion::kHigh || !body.body || !Overlap(body.at.box, carried.at.box)) continue;
       const CellRange range = depth.RangeOf(carried.at.box);
       for (int row = range.top; row < range.bottom; ++row) {
         for (int column = range.left; column < range.right; ++column) {
           const float metres = depth.At(column, row);
-          if (metres > 0 && std::abs(metres - *body.depth_m) < kCarriedReachM) mask[depth.IndexOf(column, row)] = 1;
+          if (metres > 0 && std::abs(metres - body.body->body.metres) < kCarriedReachM)
+            mask[depth.IndexOf(column, row)] = kBody;
         }
       }
     }
@@ -159,8 +188,8 @@ Features WithoutDynamic(Features features, const std::vector<Verdict>& verdicts)
   return features;
 }
 
-Remover::Remover(Dynamics dynamics, MotionTable table, double scale_factor)
-    : dynamics_(dynamics), table_(std::move(table)), scale_factor_(scale_factor) {}
+Remover::Remover(Dynamics dynamics, MotionTable table, double scale_factor, double sure_confidence)
+    : dynamics_(dynamics), table_(std::move(table)), scale_factor_(scale_factor), tracks_(sure_confidence) {}
 
 MovingAreas Remover::Look(const ImageSet& images, const SeenAt& looked) {
   MovingAreas areas;
@@ -193,7 +222,8 @@ void Remover::FollowBodies(const ImageSet& images, const SeenAt& looked, MovingA
   const DepthCells depth(images.depth);
   const CellMask mask = WithCarried(MaskOfBodies(tracks, depth, images.timestamp), tracks, depth);
   areas.bodies_ = cv::Mat(depth.rows(), depth.columns(), CV_8UC1);
-  std::copy(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>());
+  std::transform(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>(),
+                 [](uint8_t cell) { return cell == kBody ? kBody : uint8_t{0}; });
 }
 
 }  // namespace yorb

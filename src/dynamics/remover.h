@@ -52,8 +52,9 @@ Features WithoutDynamic(Features features, const std::vector<Verdict>& verdicts)
 /// Finds what moves in one picture after the other.
 class Remover {
  public:
-  /// `scale_factor`: of the pyramid that the points come from.
-  Remover(Dynamics dynamics, MotionTable table, double scale_factor);
+  /// `scale_factor`: of the pyramid that the points come from. `sure_confidence`: weaker boxes count only where they
+  /// go on from stronger ones.
+  Remover(Dynamics dynamics, MotionTable table, double scale_factor, double sure_confidence = 0);
 
   /// Pictures come in the order of time.
   MovingAreas Look(const ImageSet& images, const SeenAt& looked);

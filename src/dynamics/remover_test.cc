@@ -149,6 +149,45 @@ TEST(Remover, TwoBodiesInOverlappingBoxesAreBothFound) {
   EXPECT_GT(SharesOf(both, points, areas.Judge(points)).dynamic_removed, 0.97);
 }
 
+TEST(Remover, ABodyThatIsMissedIsFoundWhereItWas) {
+  const Scene scene = MakeScene(1.4);
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  const std::vector<Keypoint> points = Points();
+  const auto look = [&](int frame, const ImageSet& images, std::vector<Box> boxes) {
+    ImageSet now = images;
+    now.timestamp = {frame * 33000000};
+    return SharesOf(scene, points, remover.Look(now, {{true, std::move(boxes)}, now.timestamp}).Judge(points));
+  };
+  for (int i = 0; i < 3; ++i) look(i, scene.images, {scene.box});
+  for (int i = 3; i < 30; ++i) ASSERT_GT(look(i, scene.images, {}).dynamic_removed, 0.95) << i;
+  ImageSet empty = scene.images;
+  empty.depth.pixels = cv::Mat(kHeight, kWidth, CV_16UC1, cv::Scalar(3.0 / kMetresPerUnit));
+  EXPECT_LT(look(30, empty, {}).dynamic_removed, 0.05) << "the body has gone";
+}
+
+TEST(Remover, AWholePictureIsNotFoundAgain) {
+  Scene scene = MakeScene(1.4);
+  scene.box = {"person", 0.9, 0, 0, kWidth, kHeight};
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  for (int i = 0; i < 5; ++i) {
+    scene.images.timestamp = {i * 33000000};
+    remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
+  }
+  scene.images.timestamp = {5 * 33000000};
+  const std::vector<Verdict> verdicts =
+      remover.Look(scene.images, {{true, {}}, scene.images.timestamp}).Judge(Points());
+  EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::kDynamic), 0);
+}
+
+TEST(Remover, AFaintBoxAloneTakesNothing) {
+  Scene scene = MakeScene(1.4);
+  scene.box.confidence = 0.15;
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2, 0.25);
+  const std::vector<Keypoint> points = Points();
+  const MovingAreas areas = remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
+  EXPECT_EQ(SharesOf(scene, points, areas.Judge(points)).dynamic_removed, 0);
+}
+
 TEST(Remover, TheUsersMaskCountsInEveryMode) {
   for (const Dynamics dynamics : {Dynamics::kOff, Dynamics::kPaper, Dynamics::kFull}) {
     Scene scene = MakeScene(1.5);

@@ -2,40 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "localize/fix.h"
 
+#include <algorithm>
+
 #include "optimize/observed.h"
 
 namespace yorb {
+namespace {
 
-Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches) {
-  std::vector<KnownPoint> points;
-  std::vector<int> rows(frame.size(), -1);
-  for (size_t i = 0; i < matches.size(); ++i) {
-    const Landmark* landmark = map.Find(matches[i]);
-    if (!landmark) continue;
-    rows[i] = static_cast<int>(points.size());
-    KnownPoint point;
-    point.x_in_world = landmark->position;
-    point.landmark = landmark->id;
-    points.push_back(point);
-  }
-  return FixFromPoints(frame, guess, points, rows);
+/// How much a landmark counts: every keyframe that saw it in its place adds trust. Someone who comes into view brings
+/// many landmarks at once, but none that has stood still for long.
+double TrustIn(const Landmark& landmark) {
+  constexpr double kGrownUp = 4;  // keyframes
+  return std::min(static_cast<double>(landmark.views.size()) / kGrownUp, 1.0);
 }
 
-Fix Refit(const Frame& frame, const Map& map, const Fix& fix) {
-  constexpr double kMinKept = 0.8;
-  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches);
-  again.num_matched = fix.num_matched;
-  const bool is_same = static_cast<double>(again.num_inliers) >= kMinKept * static_cast<double>(fix.num_inliers);
-  return is_same && fix.num_inliers_by_depth == 0 ? again : fix;
-}
-
-Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
-                  const std::vector<int>& rows) {
+/// The pose on known points; `weights`: a row a point.
+Fix FixFromWeighted(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
+                    const std::vector<double>& weights, const std::vector<int>& rows) {
   std::vector<PoseObservation> observations;
   std::vector<size_t> indices;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i] < 0) continue;
-    observations.push_back({points[static_cast<size_t>(rows[i])].x_in_world, Observed(frame, i), 1.0});
+    const auto row = static_cast<size_t>(rows[i]);
+    observations.push_back({points[row].x_in_world, Observed(frame, i), weights[row]});
     indices.push_back(i);
   }
   const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig));
@@ -51,6 +40,38 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
     (landmark.IsValid() ? fix.num_inliers : fix.num_inliers_by_depth) += 1;
   }
   return fix;
+}
+
+}  // namespace
+
+Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches) {
+  std::vector<KnownPoint> points;
+  std::vector<double> weights;
+  std::vector<int> rows(frame.size(), -1);
+  for (size_t i = 0; i < matches.size(); ++i) {
+    const Landmark* landmark = map.Find(matches[i]);
+    if (!landmark) continue;
+    rows[i] = static_cast<int>(points.size());
+    KnownPoint point;
+    point.x_in_world = landmark->position;
+    point.landmark = landmark->id;
+    points.push_back(point);
+    weights.push_back(TrustIn(*landmark));
+  }
+  return FixFromWeighted(frame, guess, points, weights, rows);
+}
+
+Fix Refit(const Frame& frame, const Map& map, const Fix& fix) {
+  constexpr double kMinKept = 0.8;
+  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches);
+  again.num_matched = fix.num_matched;
+  const bool is_same = static_cast<double>(again.num_inliers) >= kMinKept * static_cast<double>(fix.num_inliers);
+  return is_same && fix.num_inliers_by_depth == 0 ? again : fix;
+}
+
+Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
+                  const std::vector<int>& rows) {
+  return FixFromWeighted(frame, guess, points, std::vector<double>(points.size(), 1.0), rows);
 }
 
 }  // namespace yorb

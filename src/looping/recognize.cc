@@ -87,7 +87,7 @@ std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, cons
 bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOptions& options) {
   constexpr size_t kAsked = 5;
   constexpr int kMinShared = 30;
-  constexpr double kPart = 0.7;  // of what is asked for, where the pose is known beforehand
+  constexpr double kPart = 0.7;                          // of what is asked for, where the pose is known beforehand
   constexpr double kMaxShift = 0.1, kMaxTurnRad = 0.07;  // between what was expected and what was found
   if (recognition.num_inliers >= static_cast<size_t>(options.certain_inliers) &&
       recognition.share >= options.certain_share) {

@@ -48,7 +48,9 @@ Status TakeFile(const Config& config, const Dataset& dataset, RunParts& parts) {
 }
 
 Status TakeNetwork(const Config& config, RunParts& parts) {
-  auto detector = YoloDetector::Open(config.detection);
+  DetectionOptions options = config.detection;
+  if (config.dynamics == "full") options.confidence = std::min(options.confidence, options.faint_confidence);
+  auto detector = YoloDetector::Open(options);
   if (!detector) return detector.error();
   const std::vector<std::string>& names = (*detector)->names();
   const auto moves = [&](const std::string& name) { return parts.slam.motions.Of(name) == Motion::kHigh; };

@@ -22,6 +22,9 @@ Dynamics DynamicsOf(const Config& config) {
   return config.dynamics == "full" ? Dynamics::kFull : Dynamics::kPaper;
 }
 
+/// The confidence from which a box alone speaks for a body: of the network's boxes; those of a file all do.
+double SureConfidence(const Config& config) { return config.detections.empty() ? config.detection.confidence : 0; }
+
 /// Where nothing is removed, no more is extracted than is wanted.
 FeatureOptions FeaturesOf(const Config& config) {
   FeatureOptions features = config.features;
@@ -73,7 +76,7 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       parts_(std::move(parts)),
       builder_(FeaturesOf(config), rig),
       follows_bodies_(DynamicsOf(config) == Dynamics::kFull),
-      remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor),
+      remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor, SureConfidence(config)),
       tracker_(config.tracking, config.seed, TaskOf(config, parts_), parts_.vocabulary),
       mapper_(config.mapping, parts_.vocabulary, Map::Continuing(*StartOf(parts_))),
       looper_(config.looping, parts_.vocabulary, config.seed),

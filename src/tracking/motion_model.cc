@@ -7,11 +7,17 @@ namespace {
 
 constexpr double kLongestPause = 0.3;  // seconds; a hand turns round in that time
 
+// Cameras that are carried, shaken by hand or driven stay below three quarters of these.
+constexpr double kMostAcceleration = 40;      // m/s^2
+constexpr double kMostTurnAcceleration = 60;  // rad/s^2
+
 }  // namespace
 
 void MotionModel::Observe(Timestamp from, Timestamp to, const Rigid3& to_from_from) {
   const double seconds = SecondsBetween(from, to);
   if (seconds <= 0 || seconds > kLongestPause) return Forget();
+  rate_before_ = rate_;
+  step_s_ = seconds;
   rate_ = CameraRate{VectorFromRotation(to_from_from.rotation) / seconds, to_from_from.translation / seconds};
 }
 
@@ -19,6 +25,18 @@ Rigid3 MotionModel::Predict(Timestamp from, Timestamp to) const {
   const double seconds = SecondsBetween(from, to);
   if (!rate_ || seconds <= 0 || seconds > kLongestPause) return Rigid3::Identity();
   return rate_->After(seconds);
+}
+
+bool MotionModel::CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_from, double effort) const {
+  const double seconds = SecondsBetween(from, to);
+  if (!rate_ || seconds <= 0 || seconds > kLongestPause) return true;
+  // A rate is the mean over its step: from the middle of one step to the middle of the next it may change.
+  const double reach = effort * seconds * (seconds + step_s_) / 2;
+  const auto is_near = [&](const CameraRate& rate) {
+    const Rigid3 off = to_from_from * rate.After(seconds).Inverse();
+    return off.translation.norm() <= kMostAcceleration * reach && off.RotationAngle() <= kMostTurnAcceleration * reach;
+  };
+  return is_near(*rate_) || (rate_before_ && is_near(*rate_before_));
 }
 
 }  // namespace yorb

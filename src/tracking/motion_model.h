@@ -27,13 +27,20 @@ class MotionModel {
   /// The step to expect between two moments; none after a pause, when nothing is known of the motion any more.
   Rigid3 Predict(Timestamp from, Timestamp to) const;
 
-  void Forget() { rate_.reset(); }
+  /// Whether a hand or a robot can have brought the camera there: its speed and turn have changed by no more than
+  /// their acceleration allows, from the newest step or, which may have been a little off, the one before. True where
+  /// nothing is known of the motion.
+  /// `effort`: which share of the possible acceleration is allowed.
+  bool CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_from, double effort = 1) const;
+
+  void Forget() { rate_.reset(), rate_before_.reset(); }
 
   /// The rate of the newest step; none where nothing is known of it.
   const std::optional<CameraRate>& rate() const { return rate_; }
 
  private:
-  std::optional<CameraRate> rate_;
+  std::optional<CameraRate> rate_, rate_before_;
+  double step_s_ = 0;  // over which the newest rate was seen
 };
 
 }  // namespace yorb

@@ -28,5 +28,26 @@ TEST(MotionModel, KnowsNothingAfterAPause) {
   EXPECT_EQ(motion.Predict(Ms(5033), Ms(5066)).translation.norm(), 0);
 }
 
+Rigid3 Shift(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }
+
+TEST(MotionModel, ACameraCannotJump) {
+  MotionModel motion;
+  EXPECT_TRUE(motion.CanReach(Ms(0), Ms(33), Shift(1))) << "nothing is known yet";
+  motion.Observe(Ms(0), Ms(33), Shift(0.02));
+  EXPECT_TRUE(motion.CanReach(Ms(33), Ms(66), Shift(0.02)));
+  EXPECT_TRUE(motion.CanReach(Ms(33), Ms(66), Shift(0.04))) << "a jerk";
+  EXPECT_FALSE(motion.CanReach(Ms(33), Ms(66), Shift(0.12)));
+  EXPECT_FALSE(motion.CanReach(Ms(33), Ms(66), Rigid3(RotationFromVector({0, 0.2, 0}), Eigen::Vector3d(0.02, 0, 0))));
+  EXPECT_TRUE(motion.CanReach(Ms(33), Ms(233), Shift(0.12))) << "as fast as before";
+  EXPECT_TRUE(motion.CanReach(Ms(33), Ms(3033), Shift(5))) << "after a pause nothing is known";
+}
+
+TEST(MotionModel, AStepThatWasALittleOffMayBeMadeGood) {
+  MotionModel motion;
+  motion.Observe(Ms(0), Ms(33), Shift(0.02));
+  motion.Observe(Ms(33), Ms(66), Shift(0.05));
+  EXPECT_TRUE(motion.CanReach(Ms(66), Ms(99), Shift(-0.01)));
+}
+
 }  // namespace
 }  // namespace yorb

@@ -69,11 +69,12 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   if (last_.frame && IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
-  std::optional<Located> located = FindPose(*frame, map);
+  Sought sought = FindPose(*frame, map);
+  std::optional<Located>& located = sought.located;
   Tracked tracked;
   ++frames_since_proposal_;
   if (!located) {
-    NoteLoss(*frame);
+    NoteLoss(*frame, sought.was_refused);
     return IsTimeForANewMap(*frame, backlog) ? Begin(raw_frame, map) : tracked;
   }
   if (!task_.only_locates) CountSeen(*located);
@@ -91,7 +92,8 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   const KeyframeQuestion question{
       *frame, fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
       backlog};
-  if (!task_.only_locates && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
+  const bool is_sure = NumInliers(fix) >= static_cast<size_t>(options_.min_inliers);
+  if (!task_.only_locates && is_sure && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
   return tracked;
 }
 
@@ -107,21 +109,27 @@ Tracked Tracker::StandStill() {
   return tracked;
 }
 
-std::optional<Tracker::Located> Tracker::FindPose(const Frame& frame, const Map& map) {
+Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
   using Way = std::optional<Fix> (Tracker::*)(const Frame&, const Map&) const;
-  std::optional<Located> best;
+  Sought sought;
+  std::optional<Located>& best = sought.located;
   const auto take = [&](const std::optional<Fix>& coarse) {
     std::optional<Located> located = coarse ? TrackLocalMap(frame, map, *coarse) : std::nullopt;
+    if (located && !IsPlausible(frame, map, located->fix)) {
+      sought.was_refused = true;
+      return false;
+    }
     if (located && (!best || NumInliers(located->fix) > NumInliers(best->fix))) best = std::move(located);
     return best && IsConvincing(best->fix);
   };
   if (state_ != TrackingState::kLost) {
     for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
-      if (take((this->*way)(frame, map))) return best;
+      if (take((this->*way)(frame, map))) return sought;
     }
+    if (!best) take(TrackFromPrediction(frame, map));
   }
   if (!best) take(RelocalizeInMap(frame, map));
-  return best;
+  return sought;
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
@@ -145,6 +153,7 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
   if (points.size() >= kEnoughLandmarks && search(points, predicted, radius_px)) return best;
   AddDepthPointsOfLast(map, points);
   if (search(points, predicted, radius_px) || search(points, predicted, kWider * radius_px)) return best;
+  if (search(points, predicted, kWidest * radius_px)) return best;
   search(points, last_pose, kWidest * radius_px);
   return best;
 }
@@ -154,6 +163,20 @@ std::optional<Fix> Tracker::TrackFromLastByAppearance(const Frame& frame, const 
   AddDepthPointsOfLast(map, points);
   auto fix = FixByAppearance(frame, points, Random(static_cast<uint64_t>(seed_), frame.id.value()));
   if (fix && NumInliers(*fix) < kFewMatches) return std::nullopt;
+  return fix;
+}
+
+/// The prediction alone says where the landmarks of the place must be: what drew other ways elsewhere is left out.
+std::optional<Fix> Tracker::TrackFromPrediction(const Frame& frame, const Map& map) const {
+  constexpr float kWidening = 2;
+  if (!motion_.rate()) return std::nullopt;
+  const LocalMap local = CollectLocalMap(map, last_.matches, static_cast<size_t>(options_.max_local_keyframes));
+  Fix fix;
+  fix.cam_from_world = motion_.Predict(last_.frame->timestamp, frame.timestamp) * LastPose(map);
+  fix.matches.resize(frame.size());
+  const auto expected = ExpectLocalLandmarks(map, local, frame, fix.cam_from_world, fix.matches, kWidening);
+  fix = FixWithExpected(frame, map, fix, expected);
+  if (fix.num_inliers < kMinInliersOfGuess) return std::nullopt;
   return fix;
 }
 
@@ -181,9 +204,13 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   LocalMap& local = located.local;
   local = CollectLocalMap(map, coarse.matches, static_cast<size_t>(options_.max_local_keyframes));
   if (local.keyframes.empty()) {
-    // No landmark is in view, but the frame before is: its keyframe stands for the place.
-    const KeyframeId near = map.Surviving(last_.reference);
-    if (map.Find(near)) local.keyframes.push_back(local.reference = near);
+    // No landmark was matched, but the frame before is in view: its keyframe and, where it lies in the same sub-map,
+    // the newest one, which may have been made of that very frame, stand for the place.
+    const Keyframe* near = map.Find(map.Surviving(last_.reference));
+    const Keyframe* newest = map.Find(map.newest_keyframe());
+    if (near && newest && newest->root == near->root) local.keyframes.push_back(newest->id);
+    if (near && near != newest) local.keyframes.push_back(near->id);
+    if (near) local.reference = local.keyframes.front();
   }
   const auto widening = static_cast<float>(options_.local_widening);
   const std::vector<ExpectedLandmark> expected =
@@ -191,20 +218,43 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   located.fix = FixWithExpected(frame, map, coarse, expected);
   located.visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
-  if (IsConfirmed(frame, located.fix)) return located;
+  constexpr size_t kFarMore = 3;
+  const bool is_of_the_map = kFarMore * located.fix.num_inliers >= NumInliers(coarse);
+  if (is_of_the_map && IsConfirmed(frame, map, located.fix)) return located;
   // Too little of the map is in view; the frame before, with its own depth, may carry on alone.
   located.fix = coarse;
-  if (IsConfirmed(frame, coarse)) return located;
+  if (IsConfirmed(frame, map, coarse)) return located;
   return std::nullopt;
 }
 
-bool Tracker::IsConfirmed(const Frame& frame, const Fix& fix) const {
+bool Tracker::IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) const {
   constexpr double kWarySeconds = 1.0;
   const bool is_wary = was_lost_ && SecondsBetween(lost_since_, frame.timestamp) < kWarySeconds;
-  const int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
+  int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
+  // Where people hide the view, a few points say enough, if they agree and the camera goes on as it did.
+  if (IsConvincing(fix) && GoesOn(frame, map, fix)) needed = options_.min_inliers_going_on;
   // Without a mapper that takes in what is new, points of the frame before lead away from the map unnoticed.
   const size_t num_inliers = task_.only_locates ? fix.num_inliers : NumInliers(fix);
   return num_inliers >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
+}
+
+/// Whether the camera can have come there from the frame before. Where much speaks for the pose, that does not count.
+bool Tracker::IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const {
+  constexpr size_t kMany = 150;
+  constexpr double kMost = 0.6;
+  const auto num_inliers = NumInliers(fix);
+  const bool is_sure =
+      num_inliers >= kMany && static_cast<double>(num_inliers) >= kMost * static_cast<double>(fix.num_matched);
+  if (is_sure || !last_.frame || state_ == TrackingState::kLost) return true;
+  return motion_.CanReach(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
+}
+
+/// Whether the camera moves on about as it did in the frame before.
+bool Tracker::GoesOn(const Frame& frame, const Map& map, const Fix& fix) const {
+  constexpr double kEase = 0.25;  // of what a camera can do
+  if (state_ != TrackingState::kTracking || !motion_.rate()) return false;
+  const Rigid3 step = fix.cam_from_world * LastPose(map).Inverse();
+  return motion_.CanReach(last_.frame->timestamp, frame.timestamp, step, kEase);
 }
 
 /// Whether the frame before says nothing about this one: single pictures in no order are located one by one.
@@ -223,7 +273,7 @@ void Tracker::CountSeen(const Located& located) {
 }
 
 void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
-  if (state_ == TrackingState::kTracking) {
+  if (state_ == TrackingState::kTracking || motion_.rate()) {
     motion_.Observe(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
   } else {
     motion_.Forget();
@@ -241,9 +291,9 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
   last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches};
 }
 
-void Tracker::NoteLoss(const Frame& frame) {
-  motion_.Forget();
-  if (last_.frame) {  // otherwise it was lost from the beginning
+void Tracker::NoteLoss(const Frame& frame, bool was_refused) {
+  if (!was_refused) motion_.Forget();  // otherwise the motion goes on unseen
+  if (last_.frame) {                   // otherwise it was lost from the beginning
     const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
     state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
   }

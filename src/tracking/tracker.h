@@ -60,21 +60,30 @@ class Tracker {
     std::vector<LandmarkId> visible;  ///< landmarks that should be seen from there
   };
 
+  /// What came of looking for a pose.
+  struct Sought {
+    std::optional<Located> located;
+    bool was_refused = false;  ///< there was a pose where no camera gets so fast
+  };
+
   Tracked Begin(const FramePtr& frame, const Map& map);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
   Tracked StandStill();
-  std::optional<Located> FindPose(const Frame& frame, const Map& map);
+  Sought FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromLastByAppearance(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackFromPrediction(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
   std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map);
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
-  bool IsConfirmed(const Frame& frame, const Fix& fix) const;
+  bool IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) const;
+  bool GoesOn(const Frame& frame, const Map& map, const Fix& fix) const;
+  bool IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const;
   bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
-  void NoteLoss(const Frame& frame);
+  void NoteLoss(const Frame& frame, bool was_refused);
   bool IsTimeForANewMap(const Frame& frame, size_t backlog) const;
   Proposal Propose(const FramePtr& frame, const Fix& fix);
   std::vector<KnownPoint> LandmarksOfLast(const Map& map) const;

@@ -13,6 +13,7 @@ struct TrackingOptions {
   int min_first_points = 100;        ///< points with depth that the first keyframe of a sub-map needs
   int min_inliers = 30;              ///< matched landmarks that confirm a pose
   int min_inliers_after_loss = 50;   ///< the same, shortly after tracking was lost
+  int min_inliers_going_on = 15;     ///< the same, where the camera only moves on as it did
   double search_radius_px = 15;      ///< about the predicted place of a point of the frame before, at octave 0
   double local_widening = 3;         ///< of the search for landmarks of the local map
   int max_local_keyframes = 80;      ///< whose landmarks are sought in each frame
@@ -29,6 +30,7 @@ struct TrackingOptions {
     visit("min_first_points", self.min_first_points, Range(10, 20000));
     visit("min_inliers", self.min_inliers, Range(6, 1000));
     visit("min_inliers_after_loss", self.min_inliers_after_loss, Range(6, 1000));
+    visit("min_inliers_going_on", self.min_inliers_going_on, Range(6, 1000));
     visit("search_radius_px", self.search_radius_px, Range(1, 200));
     visit("local_widening", self.local_widening, Range(0.5, 20));
     visit("max_local_keyframes", self.max_local_keyframes, Range(1, 1000));
