@@ -27,6 +27,6 @@ int main() {
   const auto taken = (*slam)->Push(images);
   (*slam)->Finish();
   const auto report = (*slam)->Report();
-  std::printf("consumer: %zu picture, %zu poses\n", report.frames.size(), report.trajectory.size());
-  return taken && *taken && report.frames.size() == 1 && report.trajectory.empty() ? 0 : 1;
+  std::printf("consumer: %zu picture, %zu poses\n", report.frames.size(), report.trajectory().size());
+  return taken && *taken && report.frames.size() == 1 && report.trajectory().empty() ? 0 : 1;
 }
