@@ -13,14 +13,6 @@
 namespace yorb {
 namespace {
 
-/// A keyframe and its nearest neighbours: what is seen about there.
-std::vector<KeyframeId> Around(const Keyframe& keyframe) {
-  constexpr size_t kNeighbours = 5;
-  std::vector<KeyframeId> around = keyframe.Strongest(kNeighbours, 1);
-  around.push_back(keyframe.id);
-  return around;
-}
-
 /// Adds the landmarks of a place that the coarse pose says must be in view.
 Fix Extend(const Frame& frame, const Map& map, const Fix& coarse, const std::vector<KeyframeId>& around,
            double radius_px) {
@@ -63,7 +55,8 @@ std::optional<Fix> RelocalizeAgainst(const Frame& frame, const Map& map, const K
   if (!fix || fix->num_inliers < kHopeless) return std::nullopt;
   const bool is_strict = terms.min_share > 0;
   if (fix->num_inliers >= terms.min_inliers && !is_strict) return fix;
-  const std::vector<KeyframeId> around = Around(keyframe);
+  constexpr size_t kNeighbours = 5;
+  const std::vector<KeyframeId> around = keyframe.WithStrongest(kNeighbours, 1);
   fix = Extend(frame, map, *fix, around, terms.radius_px);
   if (fix->num_inliers < terms.min_inliers) return std::nullopt;
   if (!is_strict) return fix;

@@ -21,13 +21,6 @@ void AddEdge(NamedGraph& named, KeyframeId from, KeyframeId to, const Rigid3& to
   named.graph.edges.push_back({named.row_of.at(from), named.row_of.at(to), to_from_from, weight});
 }
 
-/// How many landmarks two keyframes have in common.
-int NumShared(const Keyframe& a, KeyframeId b) {
-  const auto at = std::lower_bound(a.neighbours.begin(), a.neighbours.end(), b,
-                                   [](const Neighbour& neighbour, KeyframeId id) { return neighbour.id < id; });
-  return at != a.neighbours.end() && at->id == b ? at->weight : 0;
-}
-
 /// The more landmarks tie two keyframes, the less they give way to each other: the drift is where they are few.
 double WeightOf(int num_shared) {
   constexpr double kOne = 100, kMost = 4, kLeast = 0.05;
@@ -49,7 +42,7 @@ NamedGraph GraphOf(const Map& map, KeyframeId root) {
     const Keyframe& keyframe = *map.Find(id);
     const auto tie = [&](KeyframeId other) {
       const Rigid3 id_from_other = keyframe.cam_from_world * map.Find(other)->cam_from_world.Inverse();
-      AddEdge(named, other, id, id_from_other, WeightOf(NumShared(keyframe, other)));
+      AddEdge(named, other, id, id_from_other, WeightOf(keyframe.NumShared(other)));
     };
     if (keyframe.parent.IsValid()) tie(keyframe.parent);
     for (const Neighbour& neighbour : keyframe.neighbours) {

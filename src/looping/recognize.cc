@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "looping/recognize.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "localize/evidence.h"
@@ -18,9 +17,7 @@ constexpr double kPi = 3.14159265358979323846;
 std::vector<KeyframeId> PlaceOf(const Keyframe& keyframe) {
   constexpr size_t kNeighbours = 10;
   constexpr int kMinShared = 15;
-  std::vector<KeyframeId> place = keyframe.Strongest(kNeighbours, kMinShared);
-  place.push_back(keyframe.id);
-  return place;
+  return keyframe.WithStrongest(kNeighbours, kMinShared);
 }
 
 /// The pose of a frame that should be near `guess`, on the landmarks of a place alone.
@@ -58,11 +55,9 @@ double PathBetween(const Map& map, KeyframeId from, KeyframeId to) {
 }  // namespace
 
 bool AreNear(const Map& map, KeyframeId a, KeyframeId b) {
-  if (a == b) return true;
+  if (a == b || map.Find(a)->NumShared(b) > 0) return true;
   const auto& one = map.Find(a)->neighbours;
   const auto& other = map.Find(b)->neighbours;
-  const auto is_b = [&](const Neighbour& neighbour) { return neighbour.id == b; };
-  if (std::any_of(one.begin(), one.end(), is_b)) return true;
   auto at = other.begin();  // both are sorted by id
   for (const Neighbour& neighbour : one) {
     while (at != other.end() && at->id < neighbour.id) ++at;

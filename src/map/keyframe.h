@@ -32,6 +32,12 @@ struct Keyframe {
 
   /// The neighbours that share at least `min_weight` landmarks, the strongest first, `count` at most.
   std::vector<KeyframeId> Strongest(size_t count, int min_weight) const;
+
+  /// The same, and the keyframe itself at the end: what is seen about there.
+  std::vector<KeyframeId> WithStrongest(size_t count, int min_weight) const;
+
+  /// How many landmarks it shares with another keyframe.
+  int NumShared(KeyframeId other) const;
 };
 
 }  // namespace yorb

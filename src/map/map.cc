@@ -78,6 +78,17 @@ std::vector<KeyframeId> Keyframe::Strongest(size_t count, int min_weight) const 
   return ids;
 }
 
+std::vector<KeyframeId> Keyframe::WithStrongest(size_t count, int min_weight) const {
+  std::vector<KeyframeId> ids = Strongest(count, min_weight);
+  ids.push_back(id);
+  return ids;
+}
+
+int Keyframe::NumShared(KeyframeId other) const {
+  const auto neighbour = NeighbourAt(neighbours, other);
+  return neighbour != neighbours.end() && neighbour->id == other ? neighbour->weight : 0;
+}
+
 const LandmarkView* Landmark::ViewOf(KeyframeId keyframe) const {
   const auto view = ViewAt(views, keyframe);
   return view != views.end() && view->keyframe == keyframe ? &*view : nullptr;

@@ -72,6 +72,10 @@ TEST(Map, NeighboursCountTheLandmarksThatBothSee) {
   const auto& neighbours = built.map.Find(built.keyframes[0])->neighbours;
   ASSERT_EQ(neighbours.size(), 1u);
   EXPECT_EQ(neighbours[0].weight, static_cast<int>(shared));
+  const Keyframe& first = *built.map.Find(built.keyframes[0]);
+  EXPECT_EQ(first.NumShared(built.keyframes[1]), static_cast<int>(shared));
+  EXPECT_EQ(first.NumShared(KeyframeId(9)), 0);
+  EXPECT_EQ(first.WithStrongest(5, 1), (std::vector<KeyframeId>{built.keyframes[1], built.keyframes[0]}));
 }
 
 /// Keyframes of one picture in one place, each with landmarks of its own that are merged into those of the first.

@@ -69,12 +69,8 @@ void Mapper::Apply(const Correction& correction) {
 void Mapper::TieTogether(const SamePlace& place) {
   constexpr size_t kNeighbours = 10;
   const KeyframeId newer = map_.Surviving(place.newer), older = map_.Surviving(place.older);
-  const auto around = [&](KeyframeId id) {
-    std::vector<KeyframeId> keyframes = map_.Find(id)->Strongest(kNeighbours, 1);
-    keyframes.push_back(id);
-    return keyframes;
-  };
-  const std::vector<KeyframeId> ones = around(newer), others = around(older);
+  const std::vector<KeyframeId> ones = map_.Find(newer)->WithStrongest(kNeighbours, 1);
+  const std::vector<KeyframeId> others = map_.Find(older)->WithStrongest(kNeighbours, 1);
   const KeyframeId newers_root = map_.Find(newer)->root, olders_root = map_.Find(older)->root;
   if (newers_root == olders_root) {
     map_.AddLoop(newer, older);
