@@ -186,14 +186,19 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_bridged = areas.num_bridged();
   if (parts_.watch) parts_.watch({images, features.keypoints, verdicts, areas});
   record.remove_ms = watch.ms();
+  const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
+  Features suspects;
+  if (follows_bodies_ && record.num_removed > 0) {
+    suspects = Kept(features, [&](size_t i) { return is_dynamic(i) && !areas.Ignores(features.keypoints[i]); });
+  }
   if (follows_bodies_ && NeedsSecondLook(record)) {
     const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
     features = builder_.Extract(images, may_use);
   } else if (record.num_removed > 0) {
-    features = WithoutDynamic(std::move(features), verdicts);
+    features = Kept(std::move(features), [&](size_t i) { return !is_dynamic(i); });
   }
-  extracted.frame = builder_.Build(FrameId(next_frame_++), images, std::move(features));
-  record.num_static = static_cast<int>(extracted.frame->size());
+  extracted.frame = builder_.Build(FrameId(next_frame_++), images, std::move(features), std::move(suspects));
+  record.num_static = static_cast<int>(extracted.frame->size() - extracted.frame->num_suspects);
   record.detect_ms = looked.detect_ms;
   return extracted;
 }

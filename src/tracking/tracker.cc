@@ -24,14 +24,29 @@ bool IsConvincing(const Fix& fix) {
 }
 
 int CountPointsWithDepth(const Frame& frame) {
-  return static_cast<int>(std::count_if(frame.depth.begin(), frame.depth.end(), [](float d) { return d > 0; }));
+  const auto end = frame.depth.end() - static_cast<std::ptrdiff_t>(frame.num_suspects);
+  return static_cast<int>(std::count_if(frame.depth.begin(), end, [](float d) { return d > 0; }));
 }
 
-/// Whether both frames are of the very same picture: a driver that hands it out again under a new time stamp.
-bool IsSamePicture(const Frame& a, const Frame& b) {
-  const auto is_same_place = [](const Keypoint& p, const Keypoint& q) { return p.x == q.x && p.y == q.y; };
-  return a.size() > 0 && a.descriptors == b.descriptors &&
-         std::equal(a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(), is_same_place);
+/// Lets go of the suspects that no landmark speaks for; the others have shown that they stand still.
+FramePtr WithoutSuspects(const FramePtr& frame, Fix& fix) {
+  if (frame->num_suspects == 0) return frame;
+  const FramePtr rest = WithoutSuspects(frame, [&](size_t index) { return fix.matches[index].IsValid(); });
+  const auto first = fix.matches.end() - static_cast<std::ptrdiff_t>(frame->num_suspects);
+  fix.matches.erase(std::remove(first, fix.matches.end(), LandmarkId()), fix.matches.end());
+  return rest;
+}
+
+/// Whether a new frame is of the very picture of the last one: a driver that hands it out again under a new time stamp.
+/// The last one has let go of its suspects.
+bool IsSamePicture(const Frame& frame, const Frame& last) {
+  const size_t size = frame.size() - frame.num_suspects;
+  if (size == 0 || last.size() < size || last.size() > frame.size()) return false;
+  for (size_t i = 0; i < size; ++i) {
+    const Keypoint &a = frame.keypoints[i], &b = last.keypoints[i];
+    if (a.x != b.x || a.y != b.y || frame.descriptors[i] != last.descriptors[i]) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -41,15 +56,17 @@ Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
-  tracked.record.num_extracted = tracked.record.num_static = static_cast<int>(frame->size());
+  tracked.record.num_extracted = static_cast<int>(frame->size());
+  tracked.record.num_static = static_cast<int>(frame->size() - frame->num_suspects);
   tracked.record.is_keyframe = tracked.proposal.has_value();
   return tracked;
 }
 
-Tracked Tracker::Begin(const FramePtr& frame, const Map& map) {
+Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   Tracked tracked;
-  const int num_points = CountPointsWithDepth(*frame);
+  const int num_points = CountPointsWithDepth(*raw_frame);
   if (num_points < options_.min_first_points) return tracked;
+  const FramePtr frame = WithoutSuspects(raw_frame, [](size_t) { return false; });
   // This frame will be the next keyframe, since no other waits, and defines the world of its sub-map.
   const KeyframeId first = map.next_keyframe();
   state_ = TrackingState::kTracking;
@@ -84,6 +101,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
     frame = better;
     fix = Refit(*frame, map, fix);
   }
+  frame = WithoutSuspects(frame, fix);
   Remember(frame, map, *located);
   tracked.record.reference = last_.reference;
   tracked.record.cam_from_reference = last_.cam_from_reference;
@@ -324,7 +342,8 @@ std::vector<KnownPoint> Tracker::LandmarksOfLast(const Map& map) const {
     const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
     if (!landmark) continue;
     const Keypoint& keypoint = frame.keypoints[i];
-    points.push_back({landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id});
+    points.push_back(
+        {landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id, landmark->IsGrownUp()});
   }
   return points;
 }
