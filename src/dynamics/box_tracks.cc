@@ -13,6 +13,8 @@ constexpr int kSeenToBridge = 2;        // pictures; one false box is gone with 
 constexpr double kBridgeS = 0.5;        // how long a detector may miss what it saw
 constexpr double kBodyS = 1.5;          // the same while depth shows the body where it must be
 constexpr double kUnlookedS = 1.0;      // the same while nobody looks: boxes of a slow detector
+constexpr int kSureToFade = 2;          // pictures that saw it surely, before it may be hardly seen
+constexpr double kFadeS = 1.5;          // how long it may be so
 constexpr double kSmoothing = 0.5;      // of velocities
 
 /// `box` after `seconds` of the track's motion.
@@ -23,7 +25,7 @@ Box Moved(Box box, const BoxTrack& track, double seconds) {
 }
 
 /// `track` seen at `box` in the picture of `at`, told to the one of `now`.
-void See(BoxTrack& track, const SortedBox& seen, Timestamp at, Timestamp now) {
+void See(BoxTrack& track, const SortedBox& seen, bool is_sure, Timestamp at, Timestamp now) {
   const double seconds = SecondsBetween(track.seen_at, at);
   if (track.num_seen > 0 && seconds > 0) {
     const Box &from = track.seen_box, &to = seen.box;
@@ -37,6 +39,15 @@ void See(BoxTrack& track, const SortedBox& seen, Timestamp at, Timestamp now) {
   track.at = {Moved(seen.box, track, SecondsBetween(at, now)), seen.motion};
   track.last_seen = now;
   ++track.num_seen;
+  track.is_faint = !is_sure;
+  if (!is_sure) return;
+  ++track.num_sure;
+  track.last_sure = now;
+}
+
+/// Whether what is hardly seen may go on from a track: it was seen surely, more than once and not long ago.
+bool MayFade(const BoxTrack& track, Timestamp now) {
+  return track.num_sure >= kSureToFade && SecondsBetween(track.last_sure, now) <= kFadeS;
 }
 
 }  // namespace
@@ -59,6 +70,7 @@ void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>&
     for (size_t b = 0; b < seen.size(); ++b) {
       const double overlap = IoU(Moved(tracks_[t].at.box, tracks_[t], -age_s), seen[b].box);
       const bool is_sure = seen[b].box.confidence >= sure_confidence_;
+      if (!is_sure && !MayFade(tracks_[t], now)) continue;
       if (overlap >= kLeastOverlap && tracks_[t].at.motion == seen[b].motion) pairs.push_back({overlap, is_sure, t, b});
     }
   }
@@ -69,14 +81,13 @@ void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>&
   for (const Pair& pair : pairs) {
     if (is_track_done[pair.track] || is_box_done[pair.box]) continue;
     is_track_done[pair.track] = is_box_done[pair.box] = true;
-    See(tracks_[pair.track], seen[pair.box], at, now);
-    tracks_[pair.track].is_faint = !pair.is_sure;
+    See(tracks_[pair.track], seen[pair.box], pair.is_sure, at, now);
   }
   for (size_t b = 0; b < seen.size(); ++b) {
     const bool is_sure = seen[b].box.confidence >= sure_confidence_;
     if (is_box_done[b] || !is_sure || seen[b].motion == Motion::kStatic) continue;
     BoxTrack track;
-    See(track, seen[b], at, now);
+    See(track, seen[b], true, at, now);
     tracks_.push_back(track);
   }
 }

@@ -22,6 +22,8 @@ struct SeenAt {
 struct BoxTrack {
   SortedBox at;                     ///< where it is now: seen there, or expected there
   int num_seen = 0;                 ///< in how many pictures
+  int num_sure = 0;                 ///< in how many of them surely
+  Timestamp last_sure;              ///< the newest of these
   Timestamp last_seen;              ///< the picture for which the detector last had news of it
   Box seen_box;                     ///< where the detector saw it then,
   Timestamp seen_at;                ///< and in which picture, which may be an older one
@@ -35,8 +37,8 @@ struct BoxTrack {
 
 /// Bridges what a detector misses: a box that was seen in two pictures stays, moving on at constant velocity, for a
 /// while after the detector lost it, and for longer while its body is found there. Static things are not followed:
-/// their boxes are only those of this picture. What a detector hardly sees continues what it saw before, but begins
-/// nothing.
+/// their boxes are only those of this picture. What a detector hardly sees continues for a while what it saw surely,
+/// and more than once, but begins nothing.
 class BoxTracks {
  public:
   /// `sure_confidence`: boxes below it begin nothing.

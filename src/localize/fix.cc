@@ -2,28 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "localize/fix.h"
 
-#include <algorithm>
-
 #include "optimize/observed.h"
 
 namespace yorb {
-namespace {
 
-/// How much a landmark counts: every keyframe that saw it in its place adds trust. Someone who comes into view brings
-/// many landmarks at once, but none that has stood still for long.
-double TrustIn(const Landmark& landmark) {
-  return std::min(static_cast<double>(landmark.views.size()) / Landmark::kGrownUp, 1.0);
-}
-
-/// The pose on known points; `weights`: a row a point.
-Fix FixFromWeighted(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
-                    const std::vector<double>& weights, const std::vector<int>& rows) {
+Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
+                  const std::vector<int>& rows) {
   std::vector<PoseObservation> observations;
   std::vector<size_t> indices;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i] < 0) continue;
     const auto row = static_cast<size_t>(rows[i]);
-    observations.push_back({points[row].x_in_world, Observed(frame, i), weights[row]});
+    observations.push_back({points[row].x_in_world, Observed(frame, i), points[row].trust});
     indices.push_back(i);
   }
   const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig));
@@ -41,11 +31,8 @@ Fix FixFromWeighted(const Frame& frame, const Rigid3& guess, const std::vector<K
   return fix;
 }
 
-}  // namespace
-
 Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches) {
   std::vector<KnownPoint> points;
-  std::vector<double> weights;
   std::vector<int> rows(frame.size(), -1);
   for (size_t i = 0; i < matches.size(); ++i) {
     const Landmark* landmark = map.Find(matches[i]);
@@ -54,10 +41,10 @@ Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, co
     KnownPoint point;
     point.x_in_world = landmark->position;
     point.landmark = landmark->id;
+    point.trust = map.TrustIn(*landmark);
     points.push_back(point);
-    weights.push_back(TrustIn(*landmark));
   }
-  return FixFromWeighted(frame, guess, points, weights, rows);
+  return FixFromPoints(frame, guess, points, rows);
 }
 
 Fix Refit(const Frame& frame, const Map& map, const Fix& fix) {
@@ -66,11 +53,6 @@ Fix Refit(const Frame& frame, const Map& map, const Fix& fix) {
   again.num_matched = fix.num_matched;
   const bool is_same = static_cast<double>(again.num_inliers) >= kMinKept * static_cast<double>(fix.num_inliers);
   return is_same && fix.num_inliers_by_depth == 0 ? again : fix;
-}
-
-Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
-                  const std::vector<int>& rows) {
-  return FixFromWeighted(frame, guess, points, std::vector<double>(points.size(), 1.0), rows);
 }
 
 }  // namespace yorb

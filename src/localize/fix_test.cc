@@ -9,7 +9,8 @@
 namespace yorb {
 namespace {
 
-/// Four keyframes in one place; all points but every third are seen by all of them, the others by the newest alone.
+/// Four keyframes in one place, a second apart; all points but every third are seen by all of them, the others by the
+/// newest alone.
 struct OldAndNew {
   Map map;
   std::vector<LandmarkId> landmarks;  ///< a row a point of the world
@@ -22,7 +23,7 @@ OldAndNew MapOf(const SyntheticWorld& world) {
   made.is_new.resize(5000);
   KeyframeId parent;
   for (uint32_t k = 0; k < 4; ++k) {
-    const auto view = world.Look(Rigid3::Identity(), FrameId(k), Timestamp{k});
+    const auto view = world.Look(Rigid3::Identity(), FrameId(k), Timestamp{k * int64_t{1'000'000'000}});
     parent = made.map.AddKeyframe(view.frame, Rigid3::Identity(), parent);
     for (uint32_t i = 0; i < view.points.size(); ++i) {
       const uint32_t point = view.points[i];
@@ -39,7 +40,7 @@ OldAndNew MapOf(const SyntheticWorld& world) {
 TEST(Fix, WhatStoodForLongOutweighsMoreThatIsNew) {
   const SyntheticWorld world(4);
   OldAndNew made = MapOf(world);
-  const auto view = world.Look(Rigid3::Identity(), FrameId(9), Timestamp{9});
+  const auto view = world.Look(Rigid3::Identity(), FrameId(9), Timestamp{int64_t{4'000'000'000}});
   std::vector<LandmarkId> matches(view.frame->size());
   const Eigen::Vector3d moved(0.01, 0, 0);  // someone who walks by
   for (uint32_t i = 0; i < view.points.size(); ++i) {

@@ -13,7 +13,8 @@ std::vector<KnownPoint> KnownPointsOf(const Keyframe& keyframe, const Map& map) 
     const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
     if (!landmark) continue;
     const Keypoint& keypoint = keyframe.frame->keypoints[i];
-    points.push_back({landmark->position, keyframe.frame->descriptors[i], keypoint.octave, keypoint.angle_rad, id});
+    points.push_back({landmark->position, keyframe.frame->descriptors[i], keypoint.octave, keypoint.angle_rad, id,
+                      map.TrustIn(*landmark)});
   }
   return points;
 }

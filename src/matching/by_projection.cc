@@ -21,7 +21,7 @@ OctaveRange OctavesAfter(const Frame& frame, const Rigid3& cam_from_world, const
   return {1, 1};
 }
 
-/// Whether a keypoint may be a point of the map at all: a suspect only one that is known well, and by its depth.
+/// Whether a keypoint may be a point of the map at all: a suspect only one that is grown up, and by its depth.
 bool IsOpen(const Frame& frame, uint32_t index, bool is_grown_up) {
   return !frame.IsSuspect(index) || (is_grown_up && frame.HasDepth(index));
 }

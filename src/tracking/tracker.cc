@@ -342,8 +342,8 @@ std::vector<KnownPoint> Tracker::LandmarksOfLast(const Map& map) const {
     const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
     if (!landmark) continue;
     const Keypoint& keypoint = frame.keypoints[i];
-    points.push_back(
-        {landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id, landmark->IsGrownUp()});
+    points.push_back({landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id,
+                      map.TrustIn(*landmark), landmark->IsGrownUp()});
   }
   return points;
 }
