@@ -41,7 +41,7 @@ Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, co
     KnownPoint point;
     point.x_in_world = landmark->position;
     point.landmark = landmark->id;
-    point.trust = map.TrustIn(*landmark);
+    point.trust = TrustIn(*landmark, map);
     points.push_back(point);
   }
   return FixFromPoints(frame, guess, points, rows);

@@ -132,15 +132,6 @@ std::vector<LandmarkId> Map::SeenBy(const std::vector<KeyframeId>& keyframes) co
   return ids;
 }
 
-double Map::TrustIn(const Landmark& landmark) const {
-  constexpr double kEnoughSeconds = 2;
-  const Keyframe& first = *Find(landmark.views.front().keyframe);
-  const Keyframe& last = *Find(landmark.views.back().keyframe);
-  const double seconds = std::abs(SecondsBetween(first.frame->timestamp, last.frame->timestamp));
-  const double by_views = static_cast<double>(landmark.views.size()) / Landmark::kGrownUp;
-  return std::clamp(std::min(by_views, seconds / kEnoughSeconds), kTrustInNew, 1.0);
-}
-
 KeyframeId Map::Surviving(KeyframeId id) const {
   for (const Past* gone = FindPast(id); gone; gone = FindPast(id)) id = gone->parent;
   return id;

@@ -43,11 +43,6 @@ class Map {
   /// All landmarks that these keyframes see, each once, by ascending id.
   std::vector<LandmarkId> SeenBy(const std::vector<KeyframeId>& keyframes) const;
 
-  /// How much a landmark counts: everyone who comes into view brings many at once, but none that was seen standing
-  /// still by several keyframes over some seconds. Those count 1; what was just born, kTrustInNew.
-  double TrustIn(const Landmark& landmark) const;
-  static constexpr double kTrustInNew = 0.25;
-
   /// The keyframe itself, or, where it was removed, the nearest ancestor that is there.
   KeyframeId Surviving(KeyframeId id) const;
 

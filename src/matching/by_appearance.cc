@@ -14,7 +14,7 @@ std::vector<KnownPoint> KnownPointsOf(const Keyframe& keyframe, const Map& map) 
     if (!landmark) continue;
     const Keypoint& keypoint = keyframe.frame->keypoints[i];
     points.push_back({landmark->position, keyframe.frame->descriptors[i], keypoint.octave, keypoint.angle_rad, id,
-                      map.TrustIn(*landmark)});
+                      TrustIn(*landmark, map)});
   }
   return points;
 }

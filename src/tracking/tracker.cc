@@ -343,7 +343,7 @@ std::vector<KnownPoint> Tracker::LandmarksOfLast(const Map& map) const {
     if (!landmark) continue;
     const Keypoint& keypoint = frame.keypoints[i];
     points.push_back({landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id,
-                      map.TrustIn(*landmark), landmark->IsGrownUp()});
+                      TrustIn(*landmark, map), landmark->IsGrownUp()});
   }
   return points;
 }
