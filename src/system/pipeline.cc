@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/priority.h"
 #include "core/stopwatch.h"
 
 namespace yorb {
@@ -269,6 +270,7 @@ void Pipeline::RunTracking() {
 }
 
 void Pipeline::RunMapping() {
+  GiveWay();  // frames wait for their boxes, points and poses, seldom for the map
   const MapperHooks hooks{[this] { return events_.Backlog() > 0; },
                           [this](MapSnapshot map) { view_.Set(std::move(map)); }};
   while (const auto event = events_.Pop()) {
@@ -289,6 +291,7 @@ void Pipeline::RunMapping() {
 }
 
 void Pipeline::RunLooping() {
+  GiveWay();
   while (const auto added = added_.Pop()) {
     LookForLoops(*added, [this](const Correction& correction) {
       events_.PushNow(correction);
