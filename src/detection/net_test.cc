@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "detection/engine.h"
+#include "detection/net_join.h"
 #include "detection/network.h"
 #include "detection/sigmoid.h"
 #include "detection/test_network.h"
@@ -101,6 +102,40 @@ TEST(Net, ConvolutionsByWinogradsWayAreAsOpenCvs) {
     net.Output(no_bias, {1, 32, height, width});
     ExpectAsOpenCv(net);
   }
+}
+
+TEST(Net, EnlargedPicturesAreConvolvedBeforeTheyAreEnlarged) {
+  for (const bool has_relu : {false, true}) {
+    TestNetwork net(32, 16);
+    const std::string large = net.Conv("images", 3, 24, 3, 1), small = net.Conv(large, 24, 40, 3, 2);
+    const auto up = [&](const std::string& x, float by) {
+      return net.Op("Resize", {x, "", net.Constant({4}, {1, 1, by, by})},
+                    {TextAttribute("mode", "nearest"), TextAttribute("coordinate_transformation_mode", "asymmetric"),
+                     TextAttribute("nearest_mode", "floor")});
+    };
+    const std::string joined =
+        net.Op("Concat", {up(small, 2), large, up(net.Conv(small, 40, 8, 3, 2), 4)}, {IntAttribute("axis", 1)});
+    for (const int64_t out : {16, 20}) {
+      const std::string mixed = net.Conv(joined, 72, out, 1, 1);
+      net.Output(has_relu ? net.Op("Relu", {mixed}) : mixed, {1, out, 16, 32});
+    }
+    EXPECT_EQ(NodesToPutOff(net.model).size(), 3);
+    ExpectAsOpenCv(net);
+  }
+}
+
+TEST(Net, EnlargedPicturesThatOthersReadAreMade) {
+  TestNetwork net(32, 16);
+  const std::string large = net.Conv("images", 3, 24, 3, 1);
+  const std::string up =
+      net.Op("Resize", {net.Conv(large, 24, 40, 3, 2), "", net.Constant({4}, {1, 1, 2, 2})},
+             {TextAttribute("mode", "nearest"), TextAttribute("coordinate_transformation_mode", "asymmetric"),
+              TextAttribute("nearest_mode", "floor")});
+  const std::string joined = net.Op("Concat", {up, large}, {IntAttribute("axis", 1)});
+  net.Output(net.Conv(joined, 64, 16, 1, 1), {1, 16, 16, 32});
+  net.Output(net.Conv(joined, 64, 16, 3, 1), {1, 16, 16, 32});
+  EXPECT_TRUE(NodesToPutOff(net.model).empty());
+  ExpectAsOpenCv(net);
 }
 
 TEST(Net, ABlockOfMobileNetIsAsOpenCvs) {
