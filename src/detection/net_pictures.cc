@@ -120,15 +120,19 @@ bool IsForWinograd(const NetNode& node, const NetValue& input, const Window& win
 
 NetOutputs WinogradConvolution(const NetNode& node, const NetValue& input) {
   const NetValue& weights = node.inputs[1];
-  const WinogradSize size{input.dims[2], input.dims[3], input.dims[1], weights.dims[0],
-                          static_cast<int64_t>(PixelStep(input))};
-  const std::vector<float> turned = WinogradWeights(NumbersOf(weights), size.out_channels, size.in_channels);
-  const NetValue patches = node.New({kWinogradProducts, size.num_tiles(), size.in_channels});
-  const NetValue products = node.New({kWinogradProducts, size.num_tiles(), size.out_channels});
+  const WinogradSize size{input.dims[2],
+                          input.dims[3],
+                          input.dims[1],
+                          weights.dims[0],
+                          static_cast<int64_t>(PixelStep(input)),
+                          BestWinogradTile(input.dims[2], input.dims[3])};
+  const std::vector<float> turned = WinogradWeights(NumbersOf(weights), size);
+  const NetValue patches = node.New({size.num_products(), size.num_tiles(), size.in_channels});
+  const NetValue products = node.New({size.num_products(), size.num_tiles(), size.out_channels});
   NetValue output = node.New({1, size.out_channels, size.height, size.width}, NetLayout::kChannelsLast);
   const RowProduct product{size.num_tiles(), size.in_channels, size.out_channels};
   std::vector<std::shared_ptr<xnn_operator>> operators;
-  for (int64_t k = 0; k < kWinogradProducts; ++k) {
+  for (int64_t k = 0; k < size.num_products(); ++k) {
     operators.push_back(ProductOf(product, turned.data() + k * product.in * product.out,
                                   patches.data.get() + k * product.rows * product.in,
                                   products.data.get() + k * product.rows * product.out, node.program.threads()));

@@ -91,7 +91,8 @@ TEST(Net, ConvolutionsOfAllKindsAreAsOpenCvs) {
 }
 
 TEST(Net, ConvolutionsByWinogradsWayAreAsOpenCvs) {
-  for (const auto& [width, height] : {std::pair(16, 8), std::pair(15, 9), std::pair(1, 1), std::pair(2, 7)}) {
+  for (const auto& [width, height] : {std::pair(16, 8), std::pair(15, 9), std::pair(1, 1), std::pair(2, 7),
+                                      std::pair(16, 16), std::pair(19, 14), std::pair(13, 17), std::pair(32, 3)}) {
     TestNetwork net(width, height, 11);
     const std::string wide = net.Conv("images", 3, 80, 1, 1);
     const std::string part =
