@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <utility>
 
+#include "detection/depthwise.h"
 #include "detection/winograd.h"
 
 namespace yorb {
@@ -149,6 +152,34 @@ NetOutputs WinogradConvolution(const NetNode& node, const NetValue& input) {
   return One(std::move(output));
 }
 
+/// The size of a convolution of each channel by itself; nothing where it is another one.
+std::optional<DepthwiseSize> DepthwiseSizeOf(const NetNode& node, const NetValue& input, const Window& window) {
+  const NetValue& weights = node.inputs[1];
+  const bool is_depthwise = weights.dims[1] == 1 && weights.dims[0] == input.dims[1] && input.dims[0] == 1 &&
+                            window.kernel_y == window.kernel_x && window.stride_y == window.stride_x &&
+                            window.dilation_y == 1 && window.dilation_x == 1;
+  if (!is_depthwise) return std::nullopt;
+  const DepthwiseSize size{input.dims[2],
+                           input.dims[3],
+                           input.dims[1],
+                           static_cast<int64_t>(PixelStep(input)),
+                           window.Height(input.dims[2]),
+                           window.Width(input.dims[3]),
+                           window.kernel_y,
+                           window.stride_y,
+                           window.top,
+                           window.left};
+  return IsForDepthwise(size) ? std::optional(size) : std::nullopt;
+}
+
+NetOutputs DepthwiseConvolution(const NetNode& node, const NetValue& input, const DepthwiseSize& size) {
+  const std::vector<float> bias = node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>();
+  const auto convolution = std::make_shared<Depthwise>(size, NumbersOf(node.inputs[1]), bias, node.least, node.most);
+  NetValue output = node.New({1, size.channels, size.out_height, size.out_width}, NetLayout::kChannelsLast);
+  node.Add([convolution, from = input.data.get(), to = output.data.get()] { convolution->Run(from, to); });
+  return One(std::move(output));
+}
+
 NetOutputs Convolution(const NetNode& node) {
   if (!node.Has(1) || !node.inputs[1].is_constant || node.inputs[1].rank() != 4)
     return BadInput(": its weights are not known beforehand");
@@ -165,6 +196,7 @@ NetOutputs Convolution(const NetNode& node) {
   if (!bias.empty() && static_cast<int64_t>(bias.size()) != num_out)
     return BadInput(": its bias does not fit its weights");
   if (IsForWinograd(node, input, *window)) return WinogradConvolution(node, input);
+  if (const auto size = DepthwiseSizeOf(node, input, *window)) return DepthwiseConvolution(node, input, *size);
   NetValue output = node.New({input.dims[0], num_out, window->Height(input.dims[2]), window->Width(input.dims[3])},
                              NetLayout::kChannelsLast);
   xnn_operator_t op = nullptr;
