@@ -32,7 +32,10 @@ class NetCompiler {
         if (last_reader_[name] == i) values_.erase(name), parts_.erase(name);  // its buffer may be used again
       }
     }
-    for (const OnnxValue& output : model_.outputs) net_.outputs.push_back(values_.at(output.name));
+    for (const OnnxValue& output : model_.outputs) {
+      net_.outputs.push_back(values_.at(output.name));
+      net_.heads.push_back(heads_[output.name]);
+    }
     return Status::Ok();
   }
 
@@ -102,9 +105,20 @@ class NetCompiler {
     return Status::Ok();
   }
 
-  NetOutputs PictureOperator(const NetNode& ready) const {
+  NetOutputs PictureOperator(const NetNode& ready) {
     const auto parts = ready.node.inputs.empty() ? parts_.end() : parts_.find(ready.node.inputs[0]);
-    return parts == parts_.end() ? AddPictureOperator(ready) : AddConvolutionOfParts(ready, parts->second);
+    if (parts != parts_.end()) return AddConvolutionOfParts(ready, parts->second);
+    const auto head = IsOutput(ready.node.outputs[0]) ? NetHead::Of(ready) : nullptr;
+    if (!head) return AddPictureOperator(ready);
+    ready.Add([head] { head->Run(); });
+    heads_[ready.node.outputs[0]] = head;
+    return std::vector<NetValue>{head->output()};
+  }
+
+  /// Whether a value goes out of the network and nowhere else.
+  bool IsOutput(const std::string& value) const {
+    const auto found = readers_.find(value);
+    return found != readers_.end() && found->second == std::vector<size_t>{model_.nodes.size()};
   }
 
   /// Remembers the parts of a picture in place of making it. What is given has the picture's shape and is not read.
@@ -188,6 +202,7 @@ class NetCompiler {
   std::map<std::string, NetValue> values_;
   const std::set<const OnnxNode*> put_off_;
   std::map<std::string, std::vector<NetPart>> parts_;  // of pictures that are put off
+  std::map<std::string, std::shared_ptr<NetHead>> heads_;
   std::map<std::string, std::vector<size_t>> readers_;
   std::map<std::string, size_t> last_reader_;
   std::set<std::string> convolved_;        // what convolutions gave

@@ -3,6 +3,11 @@
 // Convolutions, whichever way they are done, against OpenCV's.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
 #include "detection/net_join.h"
 #include "detection/test_engines.h"
 #include "detection/test_network.h"
@@ -95,6 +100,52 @@ TEST(NetConvolution, EnlargedPicturesThatOthersReadAreMade) {
   net.Output(net.Conv(joined, 64, 16, 3, 1), {1, 16, 16, 32});
   EXPECT_TRUE(NodesToPutOff(net.model).empty());
   ExpectAsOpenCv(net);
+}
+
+/// A map of six channels, of which 1 and 4 say where the others are read.
+TestNetwork SparseNetwork() {
+  TestNetwork net(48, 32);
+  const std::string wide = net.Conv("images", 3, 20, 3, 1);
+  const std::string part =
+      net.Op("Slice", {wide, net.Whole({0}), net.Whole({13}), net.Whole({1})});  // pixels with gaps between them
+  net.Output(net.Conv(part, 13, 6, 1, 1), {1, 6, 32, 48});
+  net.Output(net.Conv(wide, 20, 6, 1, 1), {1, 6, 32, 48});
+  return net;
+}
+
+constexpr size_t kNumPixels = 32 * 48;
+
+/// `share` of the pixels are to be read: all that is read must be equal to the bit to what is given when all is
+/// computed.
+void ExpectReadAlike(double share) {
+  const auto model = ReadOnnxBytes(SparseNetwork().Bytes(), "test.onnx");
+  const auto whole = MakeXnnpackEngine(*model, InputOf(*model), 1);
+  const auto sparse = MakeXnnpackEngine(*model, InputOf(*model), 1);
+  const cv::Mat picture = TestPicture(48, 32);
+  const auto all = (*whole)->Run(picture);
+  const std::vector<float> wanted = Numbers((*all)[0]);
+  std::vector<float> scores;
+  for (size_t i = 0; i < kNumPixels; ++i)
+    scores.push_back(std::max(wanted[kNumPixels + i], wanted[4 * kNumPixels + i]));
+  std::vector<float> sorted = scores;
+  std::sort(sorted.rbegin(), sorted.rend());
+  const float least = share > 0 ? sorted[static_cast<size_t>(share * (kNumPixels - 1))] : sorted[0] + 1;
+  cv::Mat other;
+  cv::flip(picture, other, 1);
+  ASSERT_TRUE((*sparse)->Run(other));  // what an earlier picture left behind must not show
+  (*sparse)->ReadOnly({0, {1, 4}, least});
+  const auto read = (*sparse)->Run(picture);
+  const std::vector<float> given = Numbers((*read)[0]);
+  EXPECT_EQ(Numbers((*read)[1]), Numbers((*all)[1]));
+  for (size_t k = 0; k < given.size(); ++k) {
+    const size_t channel = k / kNumPixels;
+    const bool is_read = channel == 1 || channel == 4 || scores[k % kNumPixels] >= least;
+    EXPECT_TRUE(!is_read || given[k] == wanted[k]) << k << ", " << share;
+  }
+}
+
+TEST(NetConvolution, OfWhatIsReadInPartThePartIsEqualToTheBit) {
+  for (const double share : {0.0, 1e-9, 0.02, 0.3, 0.7, 1.0}) ExpectReadAlike(share);
 }
 
 }  // namespace
