@@ -40,7 +40,7 @@ class Prefetch {
 
  private:
   void Work(const std::function<std::optional<T>()>& make) {
-    GiveWay();  // what is made lies ahead of its time
+    GiveWay(CanWait::kWhile);  // what is made lies ahead of its time
     try {
       while (std::optional<T> item = make()) {
         if (!items_.Push(*std::move(item))) break;

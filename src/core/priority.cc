@@ -13,14 +13,17 @@
 
 namespace yorb {
 
-void GiveWay() {
+void GiveWay(CanWait can_wait) {
 #if defined(__linux__)
-  // On Linux a nice value is a thread's own. Ten steps are a tenth of the share; nobody starves.
-  constexpr int kSteps = 10, kMost = 19;
+  // On Linux a nice value is a thread's own. Six steps are a quarter of the share, twelve a fifteenth; nobody starves.
+  constexpr int kMost = 19;
+  const int steps = can_wait == CanWait::kWhile ? 12 : 6;
   const auto thread = static_cast<id_t>(syscall(SYS_gettid));
   errno = 0;  // -1 is a nice value, too
   const int nice = getpriority(PRIO_PROCESS, thread);
-  if (errno == 0) setpriority(PRIO_PROCESS, thread, std::min(nice + kSteps, kMost));
+  if (errno == 0) setpriority(PRIO_PROCESS, thread, std::min(nice + steps, kMost));
+#else
+  (void)can_wait;
 #endif
 }
 

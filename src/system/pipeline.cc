@@ -251,6 +251,8 @@ void Pipeline::RunDetection() {
 }
 
 void Pipeline::RunExtraction() {
+  // Boxes take longer than points, and both are wanted at once.
+  if (parts_.detector && mode_ == Mode::kOffline) GiveWay(CanWait::kMoments);
   while (const auto images = images_.Pop()) frames_.Push(Extract(*images));
   to_detect_.Close();
   looked_.Close();  // live: the last boxes find nobody who waits for them
@@ -270,7 +272,7 @@ void Pipeline::RunTracking() {
 }
 
 void Pipeline::RunMapping() {
-  GiveWay();  // frames wait for their boxes, points and poses, seldom for the map
+  GiveWay(CanWait::kWhile);  // frames wait for their boxes, points and poses, seldom for the map
   const MapperHooks hooks{[this] { return events_.Backlog() > 0; },
                           [this](MapSnapshot map) { view_.Set(std::move(map)); }};
   while (const auto event = events_.Pop()) {
@@ -291,7 +293,7 @@ void Pipeline::RunMapping() {
 }
 
 void Pipeline::RunLooping() {
-  GiveWay();
+  GiveWay(CanWait::kWhile);
   while (const auto added = added_.Pop()) {
     LookForLoops(*added, [this](const Correction& correction) {
       events_.PushNow(correction);
