@@ -189,7 +189,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.remove_ms = watch.ms();
   if (follows_bodies_ && NeedsSecondLook(record)) {
     const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
-    features = builder_.Extract(images, may_use);
+    features = builder_.ExtractAgain(may_use);
   } else if (record.num_removed > 0) {
     features = WithoutDynamic(std::move(features), verdicts);
   }
