@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/channel.h"
+#include "core/priority.h"
 
 namespace yorb {
 
@@ -39,6 +40,7 @@ class Prefetch {
 
  private:
   void Work(const std::function<std::optional<T>()>& make) {
+    GiveWay(CanWait::kWhile);  // what is made lies ahead of its time
     try {
       while (std::optional<T> item = make()) {
         if (!items_.Push(*std::move(item))) break;

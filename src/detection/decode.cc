@@ -9,6 +9,7 @@ namespace yorb {
 namespace {
 
 constexpr int kAnchors = 3;
+constexpr int kObjectness = 4;  // its place among the values of an anchor
 
 float Sigmoid(float x) { return 1.f / (1.f + std::exp(-x)); }
 
@@ -78,6 +79,12 @@ void DecodeCorners(const TensorView& output, const HeadLayout& layout, const Dec
   }
 }
 
+/// Compared before the sigmoid is taken, since nearly all cells are empty.
+float LeastObjectness(const DecodeOptions& options) {
+  const double confidence = std::clamp(options.confidence, 1e-9, 1 - 1e-9);
+  return static_cast<float>(options.is_logits ? std::log(confidence / (1 - confidence)) : options.confidence);
+}
+
 /// One raw map: centres relative to their cell, sizes relative to the cell's anchors.
 class MapDecoder {
  public:
@@ -85,9 +92,7 @@ class MapDecoder {
       : output_(output), map_(map), options_(options) {
     value_step_ = Step(map.value_axis);
     anchor_step_ = map.anchor_axis > 0 ? Step(map.anchor_axis) : value_step_ * output.dims[1] / kAnchors;
-    // Compared before the sigmoid is taken, since nearly all cells are empty.
-    const double confidence = std::clamp(options.confidence, 1e-9, 1 - 1e-9);
-    least_ = static_cast<float>(options.is_logits ? std::log(confidence / (1 - confidence)) : options.confidence);
+    least_ = LeastObjectness(options);
   }
 
   void Decode(int num_classes, const float* anchors, std::vector<RawBox>& boxes) const {
@@ -96,7 +101,7 @@ class MapDecoder {
         const float* row = output_.data + anchor * anchor_step_ + y * Step(map_.y_axis);
         for (int x = 0; x < map_.width; ++x) {
           const float* at = row + x * Step(map_.x_axis);
-          if (!(at[4 * value_step_] >= least_)) continue;
+          if (!(at[kObjectness * value_step_] >= least_)) continue;
           Add(at, BoxAt(at, x, y, anchors + 2 * anchor), num_classes, boxes);
         }
       }
@@ -119,7 +124,7 @@ class MapDecoder {
 
   void Add(const float* at, const RawBox& box, int num_classes, std::vector<RawBox>& boxes) const {
     if (!IsSound(box)) return;
-    const float objectness = Value(at, 4);
+    const float objectness = Value(at, kObjectness);
     AddClasses(
         box, num_classes, options_, [&](int label) { return Value(at, 5 + label) * objectness; }, boxes);
   }
@@ -158,6 +163,14 @@ std::vector<RawBox> DecodeBoxes(const std::vector<TensorView>& outputs, const He
       break;
   }
   return boxes;
+}
+
+ObjectnessRead ObjectnessOf(int64_t num_channels, const DecodeOptions& options) {
+  ObjectnessRead read;
+  for (int64_t anchor = 0; anchor < kAnchors; ++anchor)
+    read.channels.push_back(anchor * (num_channels / kAnchors) + kObjectness);
+  read.least = LeastObjectness(options);
+  return read;
 }
 
 bool LookLikeLogits(const std::vector<TensorView>& outputs, const HeadLayout& layout) {

@@ -25,6 +25,14 @@ const std::vector<float>& StandardAnchors();
 std::vector<RawBox> DecodeBoxes(const std::vector<TensorView>& outputs, const HeadLayout& layout,
                                 const DecodeOptions& options);
 
+/// Of raw maps whose anchors and values share an axis: the channels of objectness, and the number from which on a cell
+/// is looked at. All else in the other cells is not read.
+struct ObjectnessRead {
+  std::vector<int64_t> channels;
+  float least = 0;
+};
+ObjectnessRead ObjectnessOf(int64_t num_channels, const DecodeOptions& options);
+
 /// Whether numbers of raw maps are logits: sigmoids never leave 0 to 1.
 bool LookLikeLogits(const std::vector<TensorView>& outputs, const HeadLayout& layout);
 

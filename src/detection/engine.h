@@ -21,6 +21,13 @@ struct TensorView {
   float At(int64_t i, int64_t j, int64_t k) const { return data[i * strides[0] + j * strides[1] + k * strides[2]]; }
 };
 
+/// What is read of one of the outputs: some channels everywhere, the others only where one of these reaches `least`.
+struct SparseOutput {
+  size_t output = 0;
+  std::vector<int64_t> channels;
+  float least = 0;
+};
+
 /// Runs one network on pictures of one size. Not for several threads at once.
 class Engine {
  public:
@@ -32,6 +39,10 @@ class Engine {
   /// The graph's outputs in its order, for a picture of the input's size: CV_8UC3 in the order R, G, B, or CV_8UC1.
   /// Pixels are handed to the network divided by 255. The views are valid until the next call.
   virtual Result<std::vector<TensorView>> Run(const cv::Mat& picture) = 0;
+
+  /// Promises that no more is read from the next run on; what is not read may hold anything then. Engines need not
+  /// make use of it.
+  virtual void ReadOnly(const SparseOutput&) {}
 };
 
 /// The input of a network once its size is settled.

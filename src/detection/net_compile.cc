@@ -9,13 +9,17 @@
 #include <set>
 #include <utility>
 
+#include "detection/net_join.h"
+
 namespace yorb {
 namespace {
 
 /// Compiles node by node, in the order of the file.
 class NetCompiler {
  public:
-  NetCompiler(const OnnxModel& model, CompiledNet& net) : model_(model), net_(net) { CountReaders(); }
+  NetCompiler(const OnnxModel& model, CompiledNet& net) : model_(model), net_(net), put_off_(NodesToPutOff(model)) {
+    CountReaders();
+  }
 
   Status Compile(const EngineInput& input) {
     net_.input =
@@ -25,10 +29,13 @@ class NetCompiler {
     for (size_t i = 0; i < model_.nodes.size(); ++i) {
       if (Status status = CompileNode(model_.nodes[i]); !status) return status;
       for (const std::string& name : model_.nodes[i].inputs) {
-        if (last_reader_[name] == i) values_.erase(name);  // its buffer may be used again
+        if (last_reader_[name] == i) values_.erase(name), parts_.erase(name);  // its buffer may be used again
       }
     }
-    for (const OnnxValue& output : model_.outputs) net_.outputs.push_back(values_.at(output.name));
+    for (const OnnxValue& output : model_.outputs) {
+      net_.outputs.push_back(values_.at(output.name));
+      net_.heads.push_back(heads_[output.name]);
+    }
     return Status::Ok();
   }
 
@@ -80,11 +87,12 @@ class NetCompiler {
     const std::string unknown = "operator " + node.op;
     if (!node.domain.empty() && node.domain != "ai.onnx") return BadInput(unknown + " of " + node.domain);
     const NetNode ready = NodeOf(node);
-    auto outputs = Fused(ready);
+    auto outputs = put_off_.count(&node) > 0 ? std::optional(PutOff(ready)) : Fused(ready);
     if (!outputs) {
-      for (const auto family : {AddPictureOperator, AddShapeOperator, AddArithmetic}) {
-        outputs = family(ready);
+      outputs = PictureOperator(ready);
+      for (const auto family : {AddShapeOperator, AddArithmetic}) {
         if (outputs->ok() || !outputs->error().message.empty()) break;
+        outputs = family(ready);
       }
     }
     if (!*outputs) return BadInput(unknown + outputs->error().message);
@@ -95,6 +103,42 @@ class NetCompiler {
       if (!node.outputs[i].empty()) values_[node.outputs[i]] = (**outputs)[i];
     }
     return Status::Ok();
+  }
+
+  NetOutputs PictureOperator(const NetNode& ready) {
+    const auto parts = ready.node.inputs.empty() ? parts_.end() : parts_.find(ready.node.inputs[0]);
+    if (parts != parts_.end()) return AddConvolutionOfParts(ready, parts->second);
+    const auto head = IsOutput(ready.node.outputs[0]) ? NetHead::Of(ready) : nullptr;
+    if (!head) return AddPictureOperator(ready);
+    ready.Add([head] { head->Run(); });
+    heads_[ready.node.outputs[0]] = head;
+    return std::vector<NetValue>{head->output()};
+  }
+
+  /// Whether a value goes out of the network and nowhere else.
+  bool IsOutput(const std::string& value) const {
+    const auto found = readers_.find(value);
+    return found != readers_.end() && found->second == std::vector<size_t>{model_.nodes.size()};
+  }
+
+  /// Remembers the parts of a picture in place of making it. What is given has the picture's shape and is not read.
+  NetOutputs PutOff(const NetNode& ready) {
+    std::vector<NetPart> parts;
+    if (ready.node.op != "Concat") {
+      const auto factors = EnlargementOf(ready);
+      if (!factors) return factors.error();
+      parts.push_back({ready.inputs[0], factors->first, factors->second});
+    }
+    for (size_t i = 0; ready.node.op == "Concat" && i < ready.inputs.size(); ++i) {
+      const auto found = parts_.find(ready.node.inputs[i]);
+      parts.push_back(found == parts_.end() ? NetPart{ready.inputs[i]} : found->second.front());
+    }
+    auto dims = JoinedDims(parts);
+    if (!dims) return dims.error();
+    NetValue unmade = parts.front().picture;
+    unmade.dims = *std::move(dims);
+    parts_[ready.node.outputs[0]] = std::move(parts);
+    return std::vector<NetValue>{std::move(unmade)};
   }
 
   /// Pairs of operators that are one step: x * sigmoid(x), x * hardsigmoid(x), and a convolution with its limits.
@@ -142,7 +186,7 @@ class NetCompiler {
     } else {
       return std::nullopt;
     }
-    auto outputs = AddPictureOperator(ready);
+    auto outputs = PictureOperator(ready);
     if (outputs) done_before_.insert(&next);
     return outputs;
   }
@@ -156,6 +200,9 @@ class NetCompiler {
   const OnnxModel& model_;
   CompiledNet& net_;
   std::map<std::string, NetValue> values_;
+  const std::set<const OnnxNode*> put_off_;
+  std::map<std::string, std::vector<NetPart>> parts_;  // of pictures that are put off
+  std::map<std::string, std::shared_ptr<NetHead>> heads_;
   std::map<std::string, std::vector<size_t>> readers_;
   std::map<std::string, size_t> last_reader_;
   std::set<std::string> convolved_;        // what convolutions gave

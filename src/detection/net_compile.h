@@ -6,6 +6,7 @@
 
 #include "core/result.h"
 #include "detection/engine.h"
+#include "detection/net_head.h"
 #include "detection/net_program.h"
 #include "detection/onnx_model.h"
 
@@ -14,9 +15,10 @@ namespace yorb {
 /// A network ready to run at one size.
 struct CompiledNet {
   NetProgram program;
-  NetValue input;                            ///< channels last: filled before each run
-  std::vector<NetValue> outputs;             ///< read behind it
-  std::vector<std::vector<int64_t>> shapes;  ///< of each node's first output
+  NetValue input;                               ///< channels last: filled before each run
+  std::vector<NetValue> outputs;                ///< read behind it
+  std::vector<std::shared_ptr<NetHead>> heads;  ///< of each output; null where it is not of that kind
+  std::vector<std::vector<int64_t>> shapes;     ///< of each node's first output
 };
 
 /// Compiles a network. The error names the first operator that is not known, for instance "operator Gelu".

@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <utility>
 
+#include "detection/depthwise.h"
 #include "detection/winograd.h"
 
 namespace yorb {
@@ -120,15 +123,19 @@ bool IsForWinograd(const NetNode& node, const NetValue& input, const Window& win
 
 NetOutputs WinogradConvolution(const NetNode& node, const NetValue& input) {
   const NetValue& weights = node.inputs[1];
-  const WinogradSize size{input.dims[2], input.dims[3], input.dims[1], weights.dims[0],
-                          static_cast<int64_t>(PixelStep(input))};
-  const std::vector<float> turned = WinogradWeights(NumbersOf(weights), size.out_channels, size.in_channels);
-  const NetValue patches = node.New({kWinogradProducts, size.num_tiles(), size.in_channels});
-  const NetValue products = node.New({kWinogradProducts, size.num_tiles(), size.out_channels});
+  const WinogradSize size{input.dims[2],
+                          input.dims[3],
+                          input.dims[1],
+                          weights.dims[0],
+                          static_cast<int64_t>(PixelStep(input)),
+                          BestWinogradTile(input.dims[2], input.dims[3])};
+  const std::vector<float> turned = WinogradWeights(NumbersOf(weights), size);
+  const NetValue patches = node.New({size.num_products(), size.num_tiles(), size.in_channels});
+  const NetValue products = node.New({size.num_products(), size.num_tiles(), size.out_channels});
   NetValue output = node.New({1, size.out_channels, size.height, size.width}, NetLayout::kChannelsLast);
   const RowProduct product{size.num_tiles(), size.in_channels, size.out_channels};
   std::vector<std::shared_ptr<xnn_operator>> operators;
-  for (int64_t k = 0; k < kWinogradProducts; ++k) {
+  for (int64_t k = 0; k < size.num_products(); ++k) {
     operators.push_back(ProductOf(product, turned.data() + k * product.in * product.out,
                                   patches.data.get() + k * product.rows * product.in,
                                   products.data.get() + k * product.rows * product.out, node.program.threads()));
@@ -142,6 +149,34 @@ NetOutputs WinogradConvolution(const NetNode& node, const NetValue& input) {
     for (const auto& op : operators) xnn_run_operator(op.get(), threads);
     WinogradOutput(size, in_products, {bias.data(), least, most}, to);
   });
+  return One(std::move(output));
+}
+
+/// The size of a convolution of each channel by itself; nothing where it is another one.
+std::optional<DepthwiseSize> DepthwiseSizeOf(const NetNode& node, const NetValue& input, const Window& window) {
+  const NetValue& weights = node.inputs[1];
+  const bool is_depthwise = weights.dims[1] == 1 && weights.dims[0] == input.dims[1] && input.dims[0] == 1 &&
+                            window.kernel_y == window.kernel_x && window.stride_y == window.stride_x &&
+                            window.dilation_y == 1 && window.dilation_x == 1;
+  if (!is_depthwise) return std::nullopt;
+  const DepthwiseSize size{input.dims[2],
+                           input.dims[3],
+                           input.dims[1],
+                           static_cast<int64_t>(PixelStep(input)),
+                           window.Height(input.dims[2]),
+                           window.Width(input.dims[3]),
+                           window.kernel_y,
+                           window.stride_y,
+                           window.top,
+                           window.left};
+  return IsForDepthwise(size) ? std::optional(size) : std::nullopt;
+}
+
+NetOutputs DepthwiseConvolution(const NetNode& node, const NetValue& input, const DepthwiseSize& size) {
+  const std::vector<float> bias = node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>();
+  const auto convolution = std::make_shared<Depthwise>(size, NumbersOf(node.inputs[1]), bias, node.least, node.most);
+  NetValue output = node.New({1, size.channels, size.out_height, size.out_width}, NetLayout::kChannelsLast);
+  node.Add([convolution, from = input.data.get(), to = output.data.get()] { convolution->Run(from, to); });
   return One(std::move(output));
 }
 
@@ -161,6 +196,7 @@ NetOutputs Convolution(const NetNode& node) {
   if (!bias.empty() && static_cast<int64_t>(bias.size()) != num_out)
     return BadInput(": its bias does not fit its weights");
   if (IsForWinograd(node, input, *window)) return WinogradConvolution(node, input);
+  if (const auto size = DepthwiseSizeOf(node, input, *window)) return DepthwiseConvolution(node, input, *size);
   NetValue output = node.New({input.dims[0], num_out, window->Height(input.dims[2]), window->Width(input.dims[3])},
                              NetLayout::kChannelsLast);
   xnn_operator_t op = nullptr;
@@ -250,31 +286,8 @@ bool IsGlobalMean(const NetNode& node) {
   return *axes == Dims{2, 3};
 }
 
-/// By how much Resize and Upsample enlarge; an error where it is no whole number.
-Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node) {
-  const NetValue& input = node.inputs[0];
-  std::vector<float> scales;
-  if (const OnnxAttribute* found = node.node.Find("scales")) scales = found->floats;
-  for (const size_t index : {size_t{1}, size_t{2}}) {  // newer files have a region of interest before it
-    if (node.Has(index) && node.inputs[index].is_constant && node.inputs[index].size() == 4)
-      scales = NumbersOf(node.inputs[index]);
-  }
-  if (node.Has(3) && node.inputs[3].is_constant && node.inputs[3].size() == 4) {
-    scales = NumbersOf(node.inputs[3]);
-    for (size_t i = 0; i < 4; ++i) scales[i] /= static_cast<float>(input.dims[i]);
-  }
-  const std::string mode = node.node.Text("mode", "nearest"),
-                    how = node.node.Text("coordinate_transformation_mode", "half_pixel");
-  const bool is_whole = scales.size() == 4 && scales[0] == 1 && scales[1] == 1 && scales[2] >= 1 && scales[3] >= 1 &&
-                        scales[2] == std::floor(scales[2]) && scales[3] == std::floor(scales[3]);
-  if (!is_whole || mode != "nearest" || how == "align_corners" || how == "tf_crop_and_resize")
-    return BadInput(": only the nearest pixel at a whole factor is read");
-  return std::pair(static_cast<int64_t>(scales[2]), static_cast<int64_t>(scales[3]));
-}
-
 /// At whole factors all ways to choose the nearest pixel are the same.
 NetOutputs Enlargement(const NetNode& node) {
-  if (node.inputs[0].rank() != 4) return BadInput(": only pictures are read");
   const auto factors = EnlargementOf(node);
   if (!factors) return factors.error();
   const auto [by_y, by_x] = *factors;
@@ -299,6 +312,28 @@ NetOutputs Enlargement(const NetNode& node) {
 
 }  // namespace
 
+Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node) {
+  const NetValue& input = node.inputs[0];
+  if (input.rank() != 4) return BadInput(": only pictures are read");
+  std::vector<float> scales;
+  if (const OnnxAttribute* found = node.node.Find("scales")) scales = found->floats;
+  for (const size_t index : {size_t{1}, size_t{2}}) {  // newer files have a region of interest before it
+    if (node.Has(index) && node.inputs[index].is_constant && node.inputs[index].size() == 4)
+      scales = NumbersOf(node.inputs[index]);
+  }
+  if (node.Has(3) && node.inputs[3].is_constant && node.inputs[3].size() == 4) {
+    scales = NumbersOf(node.inputs[3]);
+    for (size_t i = 0; i < 4; ++i) scales[i] /= static_cast<float>(input.dims[i]);
+  }
+  const std::string mode = node.node.Text("mode", "nearest"),
+                    how = node.node.Text("coordinate_transformation_mode", "half_pixel");
+  const bool is_whole = scales.size() == 4 && scales[0] == 1 && scales[1] == 1 && scales[2] >= 1 && scales[3] >= 1 &&
+                        scales[2] == std::floor(scales[2]) && scales[3] == std::floor(scales[3]);
+  if (!is_whole || mode != "nearest" || how == "align_corners" || how == "tf_crop_and_resize")
+    return BadInput(": only the nearest pixel at a whole factor is read");
+  return std::pair(static_cast<int64_t>(scales[2]), static_cast<int64_t>(scales[3]));
+}
+
 bool PrepareKernels() { return xnn_initialize(nullptr) == xnn_status_success; }
 
 NetOutputs AddPictureOperator(const NetNode& node) {
@@ -318,6 +353,8 @@ NetOutputs AddPictureOperator(const NetNode& node) {
 namespace yorb {
 
 bool PrepareKernels() { return true; }
+
+Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode&) { return NotMine(); }
 
 NetOutputs AddPictureOperator(const NetNode&) { return NotMine(); }
 

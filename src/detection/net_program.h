@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -71,6 +72,9 @@ NetOutputs AddPictureOperator(const NetNode& node);  ///< Conv, MaxPool, Resize 
 
 /// Gets the kernels ready, as often as one likes; false on processors that they are not made for.
 bool PrepareKernels();
+
+/// By how much Resize and Upsample enlarge pictures, along y and x; an error where it is no whole number.
+Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node);
 
 /// The same numbers with others' layout: a copy, unless they lie so already.
 NetValue WithLayout(const NetNode& node, const NetValue& value, NetLayout layout);

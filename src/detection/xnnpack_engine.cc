@@ -39,6 +39,10 @@ class XnnpackEngine : public Engine {
     return views;
   }
 
+  void ReadOnly(const SparseOutput& read) override {
+    if (const auto& head = net_.heads[read.output]) head->ComputeWhere(read.channels, read.least);
+  }
+
  private:
   Threads threads_;  // longer-lived than the steps that use them
   CompiledNet net_;

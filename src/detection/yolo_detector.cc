@@ -110,6 +110,12 @@ Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions&
   if (detector->decode_.anchors.size() < 6 * layout->maps.size())
     return BadInput(*path + " has " + std::to_string(layout->maps.size()) +
                     " raw maps and too few anchors in its metadata");
+  for (const RawMap& map : layout->maps) {
+    if (map.anchor_axis != 0) continue;
+    const int64_t num_channels = (*outputs)[map.output].dims[static_cast<size_t>(map.value_axis)];
+    const ObjectnessRead read = ObjectnessOf(num_channels, detector->decode_);
+    (*engine)->ReadOnly({map.output, read.channels, read.least});
+  }
   detector->most_overlap_ = options.most_overlap;
   detector->input_ = network->input;
   detector->names_ = network->names;

@@ -185,9 +185,15 @@ void CornerDetector::TakeCorners(const std::vector<Corner>& found) {
 
 const std::vector<Corner>& CornerDetector::Detect(const GreyView& level, const CornerOptions& options, int enough,
                                                   Instructions instructions, const CornerFilter& may_use) {
-  corners_.clear();
   const int lowest = options.is_adaptive ? options.noise : std::min(options.low, options.high);
-  const std::vector<Corner>& all = fast_.Detect(level, {lowest, options.arc, options.border}, instructions);
+  fast_.Detect(level, {lowest, options.arc, options.border}, instructions);
+  return DetectAgain(level, options, enough, instructions, may_use);
+}
+
+const std::vector<Corner>& CornerDetector::DetectAgain(const GreyView& level, const CornerOptions& options, int enough,
+                                                       Instructions instructions, const CornerFilter& may_use) {
+  corners_.clear();
+  const std::vector<Corner>& all = fast_.found();
   if (may_use) {
     usable_.clear();
     std::copy_if(all.begin(), all.end(), std::back_inserter(usable_), may_use);

@@ -38,6 +38,10 @@ class CornerDetector {
   const std::vector<Corner>& Detect(const GreyView& level, const CornerOptions& options, int enough,
                                     Instructions instructions, const CornerFilter& may_use = {});
 
+  /// What `Detect` would give for the same level with another filter; all corners are known from the last call.
+  const std::vector<Corner>& DetectAgain(const GreyView& level, const CornerOptions& options, int enough,
+                                         Instructions instructions, const CornerFilter& may_use);
+
   /// All corners that pass the first threshold, and no others: what the paper counts under changing light.
   const std::vector<Corner>& DetectFirst(const GreyView& level, const CornerOptions& options,
                                          Instructions instructions);

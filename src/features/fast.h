@@ -38,6 +38,9 @@ class Fast {
   /// Row by row, left to right. The result lives until the next call.
   const std::vector<Corner>& Detect(const GreyView& level, const FastOptions& options, Instructions instructions);
 
+  /// What the last call found.
+  const std::vector<Corner>& found() const { return corners_; }
+
  private:
   void ScoreRow(const GreyView& level, int y, const FastOptions& options, Instructions instructions);
   void TakePeaks(const GreyView& level, int y, const FastOptions& options, Instructions instructions);

@@ -23,6 +23,9 @@ class FrameBuilder {
     return extractor_.Extract(images.grey, may_use);
   }
 
+  /// The same for the pictures of the last call, which must still be there, with another filter; cheaper.
+  Features ExtractAgain(const PointFilter& may_use) { return extractor_.ExtractAgain(may_use); }
+
   /// The frame of those features of `images` that are left, and of those that were taken away (`suspects`).
   FramePtr Build(FrameId id, const ImageSet& images, Features features, Features suspects = {}) const;
 

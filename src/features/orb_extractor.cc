@@ -3,6 +3,7 @@
 #include "features/orb_extractor.h"
 
 #include <cmath>
+#include <optional>
 
 #include "core/check.h"
 #include "features/blur.h"
@@ -50,9 +51,15 @@ struct OrbExtractor::Scratch {
   std::vector<int> shares;
   CornerOptions corner_options;
   Pyramid pyramid;
-  CornerDetector detector;
   Quadtree quadtree;
-  Blur blur;
+
+  /// What is known of a level until the next picture comes.
+  struct Level {
+    CornerDetector detector;
+    Blur blur;
+    std::optional<GreyView> blurred;
+  };
+  std::vector<Level> levels;
 
   /// Where a corner of a level lies in the picture. Centres of pixels are whole numbers, and the levels share their
   /// borders, not their first centres: scaling the bare coordinate would shift the points of level l by
@@ -68,12 +75,16 @@ struct OrbExtractor::Scratch {
     return keypoint;
   }
 
-  const std::vector<Corner>& CornersOfLevel(const FeatureOptions& options, int octave, const PointFilter& may_use) {
+  const std::vector<Corner>& CornersOfLevel(const FeatureOptions& options, int octave, const PointFilter& may_use,
+                                            bool is_again) {
     const GreyView& level = pyramid.Level(octave);
     const int wanted = shares[static_cast<size_t>(octave)];
     CornerFilter filter;
     if (may_use) filter = [&](const Corner& corner) { return may_use(PlaceOf(corner, octave)); };
-    const std::vector<Corner>& found = detector.Detect(level, corner_options, wanted, instructions, filter);
+    CornerDetector& detector = levels[static_cast<size_t>(octave)].detector;
+    const std::vector<Corner>& found = is_again
+                                           ? detector.DetectAgain(level, corner_options, wanted, instructions, filter)
+                                           : detector.Detect(level, corner_options, wanted, instructions, filter);
     const int border = corner_options.border;
     const CornerArea area{border, border, level.width - border, level.height - border};
     return options.distribution == "quadtree" ? quadtree.KeepBestOfEach(found, area, wanted)
@@ -83,14 +94,15 @@ struct OrbExtractor::Scratch {
   void AddLevel(const FeatureOptions& options, const std::vector<Corner>& corners, int octave, Features& features) {
     if (corners.empty()) return;
     const GreyView& level = pyramid.Level(octave);
-    const GreyView blurred = blur.Apply(level, instructions);
+    Level& known = levels[static_cast<size_t>(octave)];
+    if (!known.blurred) known.blurred = known.blur.Apply(level, instructions);
     for (Corner corner : corners) {
       if (options.subpixel) corner = Refined(corner);
       Keypoint keypoint = PlaceOf(corner, octave);
       keypoint.angle_rad = OrientationOf(level, corner.x, corner.y, instructions);
       keypoint.response = corner.response;
       features.keypoints.push_back(keypoint);
-      features.descriptors.push_back(DescribeAt(blurred, corner.x, corner.y, keypoint.angle_rad, instructions));
+      features.descriptors.push_back(DescribeAt(*known.blurred, corner.x, corner.y, keypoint.angle_rad, instructions));
     }
   }
 };
@@ -98,6 +110,7 @@ struct OrbExtractor::Scratch {
 OrbExtractor::OrbExtractor(const FeatureOptions& options) : options_(options), scratch_(std::make_unique<Scratch>()) {
   scratch_->shares = SharesOf(options);
   scratch_->corner_options = CornersOf(options);
+  scratch_->levels.resize(static_cast<size_t>(options.levels));
 }
 OrbExtractor::~OrbExtractor() = default;
 OrbExtractor::OrbExtractor(OrbExtractor&&) noexcept = default;
@@ -105,16 +118,26 @@ OrbExtractor& OrbExtractor::operator=(OrbExtractor&&) noexcept = default;
 
 Features OrbExtractor::Extract(const cv::Mat& grey, const PointFilter& may_use) {
   YORB_CHECK(grey.empty() || grey.type() == CV_8UC1, "the extractor takes 8-bit grey pictures");
+  const GreyView picture{grey.data, grey.cols, grey.rows, static_cast<ptrdiff_t>(grey.step[0])};
+  scratch_->pyramid.Build(picture, options_.levels, options_.scale_factor, scratch_->instructions);
+  for (Scratch::Level& level : scratch_->levels) level.blurred.reset();
+  return ExtractLevels(may_use, false);
+}
+
+Features OrbExtractor::ExtractAgain(const PointFilter& may_use) {
+  YORB_CHECK(scratch_->pyramid.levels() > 0, "there must have been a picture before");
+  return ExtractLevels(may_use, true);
+}
+
+Features OrbExtractor::ExtractLevels(const PointFilter& may_use, bool is_again) {
   Features features;
   const size_t total = static_cast<size_t>(std::lround(options_.wanted * options_.over_extraction));
   features.keypoints.reserve(total);
   features.descriptors.reserve(total);
-  const GreyView picture{grey.data, grey.cols, grey.rows, static_cast<ptrdiff_t>(grey.step[0])};
-  scratch_->pyramid.Build(picture, options_.levels, options_.scale_factor, scratch_->instructions);
   for (int octave = 0; octave < options_.levels; ++octave) {
     const GreyView& level = scratch_->pyramid.Level(octave);
     if (level.width <= 2 * kFeatureBorder || level.height <= 2 * kFeatureBorder) break;
-    scratch_->AddLevel(options_, scratch_->CornersOfLevel(options_, octave, may_use), octave, features);
+    scratch_->AddLevel(options_, scratch_->CornersOfLevel(options_, octave, may_use, is_again), octave, features);
   }
   return features;
 }

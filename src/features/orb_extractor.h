@@ -75,7 +75,13 @@ class OrbExtractor {
   /// points that it refuses are left out before they are counted and spread: the others take their places.
   Features Extract(const cv::Mat& grey, const PointFilter& may_use = {});
 
+  /// What `Extract` would give for the picture of the last call, which must still be there, with another filter. Much
+  /// of the work is done already.
+  Features ExtractAgain(const PointFilter& may_use);
+
  private:
+  Features ExtractLevels(const PointFilter& may_use, bool is_again);
+
   struct Scratch;
   FeatureOptions options_;
   std::unique_ptr<Scratch> scratch_;

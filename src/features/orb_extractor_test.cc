@@ -131,6 +131,18 @@ TEST_P(OrbExtractorWays, RefusedPlacesLeaveTheirShareToTheOthers) {
   for (const Keypoint& k : features.keypoints) EXPECT_GT(k.x, 399);  // refined by up to half a pixel of a level
 }
 
+TEST_P(OrbExtractorWays, ASecondLookIsAsAFirstOne) {
+  const PointFilter is_right = [](const Keypoint&point) { return point.x > 400; },
+                    is_left = [](const Keypoint&point) { return point.x < 90; };
+  OrbExtractor used(GetParam());
+  for (const cv::Size size : {cv::Size(640, 480), cv::Size(100, 90), cv::Size(640, 480)}) {
+    const cv::Mat picture = RectanglesPicture(size.width, size.height, 7);
+    used.Extract(picture, is_left);  // some levels give nothing
+    ExpectEqual(used.ExtractAgain(is_right), OrbExtractor(GetParam()).Extract(picture, is_right));
+    ExpectEqual(used.ExtractAgain({}), OrbExtractor(GetParam()).Extract(picture));
+  }
+}
+
 TEST_P(OrbExtractorWays, KeepsAwayFromTheBorder) {
   const Features features = OrbExtractor(GetParam()).Extract(RectanglesPicture(320, 240, 6));
   for (const Keypoint& k : features.keypoints) {

@@ -43,7 +43,7 @@ struct FrameRecord {
   int num_inliers = 0;
   bool is_keyframe = false;
   double extract_ms = 0, detect_ms = 0, remove_ms = 0, track_ms = 0;
-  double frame_total_ms = 0;  ///< from the start of extraction to the pose, without waiting in queues
+  double frame_total_ms = 0;  ///< from taking the picture up to its pose, boxes waited for, without waiting in queues
 };
 
 /// How often the tracker expected and found a landmark since it last said so.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/priority.h"
 #include "core/stopwatch.h"
 
 namespace yorb {
@@ -193,7 +194,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   }
   if (follows_bodies_ && NeedsSecondLook(record)) {
     const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
-    features = builder_.Extract(images, may_use);
+    features = builder_.ExtractAgain(may_use);
   } else if (record.num_removed > 0) {
     features = Kept(std::move(features), [&](size_t i) { return !is_dynamic(i); });
   }
@@ -255,6 +256,8 @@ void Pipeline::RunDetection() {
 }
 
 void Pipeline::RunExtraction() {
+  // Boxes take longer than points, and both are wanted at once.
+  if (parts_.detector && mode_ == Mode::kOffline) GiveWay(CanWait::kMoments);
   while (const auto images = images_.Pop()) frames_.Push(Extract(*images));
   to_detect_.Close();
   looked_.Close();  // live: the last boxes find nobody who waits for them
@@ -274,6 +277,7 @@ void Pipeline::RunTracking() {
 }
 
 void Pipeline::RunMapping() {
+  GiveWay(CanWait::kWhile);  // frames wait for their boxes, points and poses, seldom for the map
   const MapperHooks hooks{[this] { return events_.Backlog() > 0; },
                           [this](MapSnapshot map) { view_.Set(std::move(map)); }};
   while (const auto event = events_.Pop()) {
@@ -294,6 +298,7 @@ void Pipeline::RunMapping() {
 }
 
 void Pipeline::RunLooping() {
+  GiveWay(CanWait::kWhile);
   while (const auto added = added_.Pop()) {
     LookForLoops(*added, [this](const Correction& correction) {
       events_.PushNow(correction);
