@@ -6,6 +6,7 @@
 
 #include "localize/relocalizer.h"
 #include "tracking/keyframe_policy.h"
+#include "tracking/leave_out.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr size_t kMinInliersOfGuess = 10;  // that make a first pose worth refining on the local map
 constexpr size_t kFewMatches = 20;         // with the frame before
+constexpr size_t kManyViews = 4;           // of a landmark that has stood still for long
 
 size_t NumInliers(const Fix& fix) { return fix.num_inliers + fix.num_inliers_by_depth; }
 
@@ -36,8 +38,9 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 
 }  // namespace
 
-Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
-  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
+Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth) {
+  Tracked tracked =
+      state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog, depth);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
@@ -54,7 +57,8 @@ Tracked Tracker::Begin(const FramePtr& frame, const Map& map) {
   const KeyframeId first = map.next_keyframe();
   state_ = TrackingState::kTracking;
   motion_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size())};
+  movers_.Forget();
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), frame};
   was_lost_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -65,8 +69,8 @@ Tracked Tracker::Begin(const FramePtr& frame, const Map& map) {
   return tracked;
 }
 
-Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
-  if (last_.frame && IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
+Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog, const DepthGrid& depth) {
+  if (last_.frame && IsSamePicture(*raw_frame, *last_.picture)) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
   Sought sought = FindPose(*frame, map);
@@ -85,6 +89,10 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
     fix = Refit(*frame, map, fix);
   }
   Remember(frame, map, *located);
+  tracked.moving = LeaveOutMovers(frame, depth, map, fix);
+  if (!tracked.moving.empty()) Remember(frame, map, *located);
+  last_.picture = raw_frame;
+  if (!task_.only_locates) CountGone(*frame, depth, map, *located);
   tracked.record.reference = last_.reference;
   tracked.record.cam_from_reference = last_.cam_from_reference;
   tracked.record.num_matched = static_cast<int>(fix.num_matched);
@@ -272,6 +280,40 @@ void Tracker::CountSeen(const Located& located) {
   }
 }
 
+/// Landmarks that the camera sees through are not there any more.
+void Tracker::CountGone(const Frame& frame, const DepthGrid& depth, const Map& map, const Located& located) {
+  if (depth.empty()) return;
+  for (const LandmarkId id : located.visible) {
+    const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
+    if (landmark && IsSeenThrough(depth, *frame.rig, located.fix.cam_from_world * landmark->position)) {
+      ++counts_[id].gone;
+    }
+  }
+}
+
+/// Takes the points on what moves out of a frame and what was found of it; gives those points. Landmarks that move with
+/// them, if only few keyframes know them, are as good as gone.
+std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const DepthGrid& depth, const Map& map, Fix& fix) {
+  const CameraPlace place{last_.reference, last_.cam_from_reference};
+  const auto is_moving = PointsOnMovers(*frame, movers_.Find(depth, *frame->rig, frame->timestamp, place, map));
+  std::vector<Keypoint> moving;
+  for (size_t i = 0; i < is_moving.size(); ++i) {
+    if (!is_moving[i]) continue;
+    moving.push_back(frame->keypoints[i]);
+    const Landmark* landmark = fix.matches[i].IsValid() ? map.Find(fix.matches[i]) : nullptr;
+    if (!landmark) continue;
+    --fix.num_inliers;
+    if (landmark->views.size() >= kManyViews) continue;
+    --counts_[landmark->id].found;
+    ++counts_[landmark->id].gone;
+  }
+  if (moving.empty()) return moving;
+  frame = WithoutRows(frame, is_moving);
+  fix.matches = WithoutRows(std::move(fix.matches), is_moving);
+  if (NumInliers(fix) >= kFewMatches) fix = Refit(*frame, map, fix);
+  return moving;
+}
+
 void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
   if (state_ == TrackingState::kTracking || motion_.rate()) {
     motion_.Observe(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
@@ -288,7 +330,7 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
   const Fix& fix = located.fix;
   const KeyframeId reference =
       located.local.reference.IsValid() ? located.local.reference : map.Surviving(last_.reference);
-  last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches};
+  last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches, frame};
 }
 
 void Tracker::NoteLoss(const Frame& frame, bool was_refused) {
@@ -296,6 +338,7 @@ void Tracker::NoteLoss(const Frame& frame, bool was_refused) {
   if (last_.frame) {                   // otherwise it was lost from the beginning
     const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
     state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
+    if (state_ == TrackingState::kLost) movers_.Forget();
   }
   const bool shows_something = CountPointsWithDepth(frame) >= options_.min_first_points;
   if (shows_something && !sought_since_) sought_since_ = frame.timestamp;
@@ -309,7 +352,7 @@ bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
   Proposal proposal{frame, last_.reference, last_.cam_from_reference, fix.matches, {}};
   proposal.counts.reserve(counts_.size());
-  for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found});
+  for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found, count.gone});
   counts_.clear();
   last_proposal_ = frame->timestamp;
   frames_since_proposal_ = 0;
