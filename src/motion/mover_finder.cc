@@ -131,6 +131,7 @@ bool MovingCells::Has(float x_px, float y_px, float metres) const {
 
 void MoverFinder::Forget() {
   past_.Forget();
+  frames_.clear();
   moved_.clear();
 }
 
@@ -151,22 +152,56 @@ void MoverFinder::AddFollowed(const DepthGrid& grid, const Rig& rig, const Rigid
   }
 }
 
-MovingCells MoverFinder::Find(const DepthGrid& grid, const Rig& rig, Timestamp at, const CameraPlace& place,
-                              const Map& map) {
-  const auto cam_from_world = place.CamFromWorld(map);
+/// Cells with points that were elsewhere a fraction of a second ago.
+std::vector<int> MoverFinder::CellsThatWent(const PosedFrame& now, const DepthGrid& grid,
+                                            const std::vector<CellPast>& past, const Map& map) const {
+  std::vector<int> went;
+  constexpr double kLongestS = 0.6;
+  if (frames_.empty()) return went;
+  if (SecondsBetween(frames_.front().frame->timestamp, now.frame->timestamp) > kLongestS) return went;
+  const auto then_from_world = frames_.front().place.CamFromWorld(map);
+  if (!then_from_world) return went;
+  const Rigid3 now_from_then = *now.place.CamFromWorld(map) * then_from_world->Inverse();
+  for (const uint32_t index : FindMovedPoints(frames_.front(), now, now_from_then)) {
+    const Eigen::Vector2f& px = now.frame->points_px[index];
+    const int cell = grid.CellAt(px.x(), px.y());
+    if (cell < 0 || grid.surface[static_cast<size_t>(cell)] <= 0 || StandsStill(past[static_cast<size_t>(cell)]))
+      continue;
+    went.push_back(cell);
+  }
+  return went;
+}
+
+void MoverFinder::Remember(PosedFrame now) {
+  constexpr double kSpanS = 0.3;  // long enough to tell a walk from noise
+  const Timestamp at = now.frame->timestamp;
+  frames_.push_back(std::move(now));
+  while (SecondsBetween(frames_.front().frame->timestamp, at) > kSpanS) frames_.pop_front();
+}
+
+MovingCells MoverFinder::Find(PosedFrame now, const DepthGrid& grid, const Map& map) {
+  const Rig& rig = *now.frame->rig;
+  const Timestamp at = now.frame->timestamp;
+  const auto cam_from_world = now.place.CamFromWorld(map);
   if (grid.empty() || !cam_from_world) return {};
   const std::vector<CellPast> past = past_.Compare(grid, rig, *cam_from_world, map);
-  past_.Add(grid, at, place);
+  past_.Add(grid, at, now.place);
 
   std::vector<double> age_s(past.size(), kNever);
-  const auto last_from_world = last_place_.CamFromWorld(map);
-  if (!moved_.empty() && last_from_world) {
-    AddFollowed(grid, rig, *cam_from_world * last_from_world->Inverse(), SecondsBetween(last_at_, at), age_s);
+  if (!moved_.empty()) {
+    const PosedFrame& last = frames_.back();
+    const auto last_from_world = last.place.CamFromWorld(map);
+    const double step_s = SecondsBetween(last.frame->timestamp, at);
+    if (last_from_world) AddFollowed(grid, rig, *cam_from_world * last_from_world->Inverse(), step_s, age_s);
   }
   for (size_t cell = 0; cell < past.size(); ++cell) {
     if (StandsStill(past[cell])) age_s[cell] = kNever;
   }
-  Spread(grid, past, CellsOfThings(grid, CellsThatCame(grid, past)), age_s);
+  std::vector<int> things = CellsOfThings(grid, CellsThatCame(grid, past));
+  const std::vector<int> went = CellsThatWent(now, grid, past, map);
+  things.insert(things.end(), went.begin(), went.end());
+  Spread(grid, past, std::move(things), age_s);
+  Remember(std::move(now));
 
   moved_.clear();
   std::vector<uint8_t> cells(past.size(), 0);
@@ -178,8 +213,6 @@ MovingCells MoverFinder::Find(const DepthGrid& grid, const Rig& rig, Timestamp a
     const double x_px = cell % grid.columns * kGridCellPx + half, y_px = cell / grid.columns * kGridCellPx + half;
     moved_.push_back({rig.camera.Unproject(x_px, y_px, grid.surface[c]).cast<float>(), age_s[c]});
   }
-  last_place_ = place;
-  last_at_ = at;
   return {grid, rig, std::move(cells)};
 }
 

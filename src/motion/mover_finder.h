@@ -5,8 +5,10 @@
 // of the last seconds. Runs on: whichever thread calls. May not: know detectors, estimate poses, change the map.
 #pragma once
 
+#include <deque>
 #include <vector>
 
+#include "motion/moved_points.h"
 #include "motion/past_views.h"
 
 namespace yorb {
@@ -37,7 +39,7 @@ class MovingCells {
 class MoverFinder {
  public:
   /// The newest picture, whose pose is known; pictures come in the order of time.
-  MovingCells Find(const DepthGrid& grid, const Rig& rig, Timestamp at, const CameraPlace& place, const Map& map);
+  MovingCells Find(PosedFrame now, const DepthGrid& grid, const Map& map);
 
   /// Nothing of before counts any more: the camera was lost.
   void Forget();
@@ -48,13 +50,15 @@ class MoverFinder {
     double age_s = 0;  ///< since it was last seen to move
   };
 
+  std::vector<int> CellsThatWent(const PosedFrame& now, const DepthGrid& grid, const std::vector<CellPast>& past,
+                                 const Map& map) const;
+  void Remember(PosedFrame now);
   void AddFollowed(const DepthGrid& grid, const Rig& rig, const Rigid3& cam_from_last, double step_s,
                    std::vector<double>& age_s) const;
 
   PastViews past_;
-  std::vector<Moved> moved_;  ///< of the last picture
-  CameraPlace last_place_;
-  Timestamp last_at_;
+  std::deque<PosedFrame> frames_;  ///< of a fraction of a second, in the order of time
+  std::vector<Moved> moved_;       ///< of the last picture
 };
 
 }  // namespace yorb

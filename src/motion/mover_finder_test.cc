@@ -28,6 +28,14 @@ Rigid3 CameraAt(double seconds) {
           {0.25 * std::sin(1.5 * seconds), 0.05 * std::sin(2.5 * seconds), 0.1 * std::cos(seconds)}};
 }
 
+/// A frame without points.
+PosedFrame Posed(const Rig& rig, double seconds, const Rigid3& pose) {
+  auto frame = std::make_shared<Frame>();
+  frame->timestamp = Timestamp{static_cast<int64_t>(seconds * 1e9)};
+  frame->rig = std::make_shared<const Rig>(rig);
+  return {frame, {}, {KeyframeId(0), pose}};
+}
+
 /// How the cells were judged, by what the middle of each shows.
 struct Tally {
   int moving_of_thing = 0, all_of_thing = 0, moving_elsewhere = 0;
@@ -44,8 +52,7 @@ class Playing {
     for (; now_s_ < to_s; now_s_ += 0.1) {
       const Rigid3 pose = CameraAt(now_s_);
       const TestView view = LookAtBoxes(rig_, pose, Room(thing_x_(now_s_)), random_);
-      const Timestamp at{static_cast<int64_t>(now_s_ * 1e9)};
-      const MovingCells moving = finder_.Find(grids_.Make(view.depth), rig_, at, {KeyframeId(0), pose}, map);
+      const MovingCells moving = finder_.Find(Posed(rig_, now_s_, pose), grids_.Make(view.depth), map);
       if (now_s_ >= from_s) Count(view, moving, tally);
     }
     return tally;
@@ -109,14 +116,13 @@ TEST(MoverFinder, KnowsNothingOfBeforeOnceItForgets) {
   Random random(5);
   const auto look = [&](double seconds, double thing_x) {
     const TestView view = LookAtBoxes(rig, Rigid3::Identity(), Room(thing_x), random);
-    return finder.Find(grids.Make(view.depth), rig, Timestamp{static_cast<int64_t>(seconds * 1e9)},
-                       {KeyframeId(0), Rigid3::Identity()}, map);
+    return finder.Find(Posed(rig, seconds, Rigid3::Identity()), grids.Make(view.depth), map);
   };
   for (const double s : {0.0, 0.3, 0.6}) EXPECT_TRUE(look(s, -0.5).empty());
   EXPECT_FALSE(look(0.9, 0.5).empty());
   finder.Forget();
   EXPECT_TRUE(look(1.2, -0.5).empty());
-  EXPECT_TRUE(finder.Find(DepthGrid(), rig, Timestamp{2000000000}, {KeyframeId(0), Rigid3::Identity()}, map).empty());
+  EXPECT_TRUE(finder.Find(Posed(rig, 2, Rigid3::Identity()), DepthGrid(), map).empty());
 }
 
 }  // namespace

@@ -24,18 +24,23 @@ struct PixelTransfer {
   }
 };
 
+/// Where the middle of a cell at its depth is seen.
+Eigen::Vector3f MiddleOf(const DepthGrid& grid, int column, int row) {
+  const float half = 0.5f * (kGridCellPx - 1);
+  const float metres = grid.surface[static_cast<size_t>(row * grid.columns + column)];
+  return metres * Eigen::Vector3f(static_cast<float>(column * kGridCellPx) + half,
+                                  static_cast<float>(row * kGridCellPx) + half, 1);
+}
+
 void CompareWith(const DepthGrid& past, const DepthGrid& grid, const Rig& rig, const PixelTransfer& transfer,
                  std::vector<CellPast>& cells) {
   constexpr float kNearestM = 0.1f;
-  const float half = 0.5f * (kGridCellPx - 1);
   size_t cell = 0;
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column, ++cell) {
       const float metres = grid.surface[cell];
       if (metres <= 0) continue;
-      const Eigen::Vector3f px(static_cast<float>(column * kGridCellPx) + half,
-                               static_cast<float>(row * kGridCellPx) + half, 1);
-      const Eigen::Vector3f there = metres * (transfer.turn * px) + transfer.shift;
+      const Eigen::Vector3f there = transfer.turn * MiddleOf(grid, column, row) + transfer.shift;
       if (there.z() < kNearestM) continue;
       const int at = past.CellAt(there.x() / there.z(), there.y() / there.z());
       if (at < 0) continue;

@@ -294,8 +294,9 @@ void Tracker::CountGone(const Frame& frame, const DepthGrid& depth, const Map& m
 /// Takes the points on what moves out of a frame and what was found of it; gives those points. Landmarks that move with
 /// them, if only few keyframes know them, are as good as gone.
 std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const DepthGrid& depth, const Map& map, Fix& fix) {
-  const CameraPlace place{last_.reference, last_.cam_from_reference};
-  const auto is_moving = PointsOnMovers(*frame, movers_.Find(depth, *frame->rig, frame->timestamp, place, map));
+  PosedFrame posed{frame, std::vector<bool>(frame->size()), {last_.reference, last_.cam_from_reference}};
+  for (size_t i = 0; i < frame->size(); ++i) posed.is_known[i] = fix.matches[i].IsValid();
+  const auto is_moving = PointsOnMovers(*frame, movers_.Find(std::move(posed), depth, map));
   std::vector<Keypoint> moving;
   for (size_t i = 0; i < is_moving.size(); ++i) {
     if (!is_moving[i]) continue;
