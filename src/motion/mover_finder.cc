@@ -13,9 +13,8 @@ namespace {
 constexpr int kLeastViews = 2;  // that saw through a thing before it came
 constexpr int kLeastCells = 6;  // of a thing that moves
 constexpr int kLeastInnerCells = 2;
-constexpr double kFollowedS = 0.5;   // for so long, what moved counts as moving where it was seen last
-constexpr int kReachCells = 20;      // that a thing goes on around what was seen to move of it
-constexpr uint8_t kStandsStill = 3;  // views that agree about a cell, and none that does not
+constexpr double kFollowedS = 0.5;  // for so long, what moved counts as moving where it was seen last
+constexpr int kReachCells = 20;     // that a thing goes on around what was seen to move of it
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// A grid of cells with a border around it, so that every cell has four neighbours.
@@ -79,7 +78,9 @@ bool IsContinuous(float metres, float neighbour_metres) {
 
 /// A cell that views of before know as it is now is not taken for what moves, whatever it touches.
 bool StandsStill(const CellPast& past) {
-  return past.num_agreed >= kStandsStill && !past.has_been_farther && past.num_seen_through == 0;
+  constexpr uint8_t kEnough = 3, kEnoughOfAll = 2;
+  if (past.has_been_farther || past.num_seen_through > 0) return false;
+  return past.num_agreed >= kEnough || (past.num_agreed >= kEnoughOfAll && past.num_agreed == past.num_compared);
 }
 
 /// Spreads from the cells of things over the surface that they are part of: what moved only a little covers itself.
@@ -93,7 +94,7 @@ void Spread(const DepthGrid& grid, const std::vector<CellPast>& past, std::vecto
       for (const int neighbour : NeighboursOf(cell, grid.columns)) {
         const auto n = static_cast<size_t>(neighbour);
         const float metres = grid.surface[n];
-        if (metres <= 0 || age_s[n] == 0 || StandsStill(past[n])) continue;
+        if (metres <= 0 || age_s[n] == 0 || past[n].num_compared == 0 || StandsStill(past[n])) continue;
         if (!IsContinuous(metres, grid.surface[static_cast<size_t>(cell)])) continue;
         age_s[n] = 0;
         next.push_back(neighbour);

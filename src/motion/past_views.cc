@@ -47,6 +47,7 @@ void CompareWith(const DepthGrid& past, const DepthGrid& grid, const Rig& rig, c
       const float margin = DepthMargin(rig, there.z());
       const float surface = past.surface[static_cast<size_t>(at)];
       cells[cell].num_seen_through += past.free[static_cast<size_t>(at)] > there.z() + margin;
+      cells[cell].num_compared += surface > 0 || past.free[static_cast<size_t>(at)] > 0;
       if (surface <= 0) continue;
       cells[cell].num_agreed += std::abs(surface - there.z()) < margin;
       cells[cell].has_been_farther |= surface > there.z() + margin;

@@ -25,6 +25,7 @@ struct CameraPlace {
 
 /// What earlier views of a place say of a cell.
 struct CellPast {
+  uint8_t num_compared = 0;       ///< views that saw anything at all there
   uint8_t num_seen_through = 0;   ///< views that saw something clearly behind it: it was not there yet
   uint8_t num_agreed = 0;         ///< views that saw it where it is now
   bool has_been_farther = false;  ///< a view saw something behind it, if only about its outline
