@@ -150,18 +150,10 @@ bool Touches(const cv::Mat& bodies, const Keypoint& point, double reach_px) {
          is_marked(x - slant, y + slant) || is_marked(x + slant, y + slant);
 }
 
-/// Whether the user's own mask lies under a point.
-bool IsIgnored(const cv::Mat& ignored, const Keypoint& point) {
-  if (ignored.empty()) return false;
-  const int x = std::clamp(static_cast<int>(std::lround(point.x)), 0, ignored.cols - 1);
-  const int y = std::clamp(static_cast<int>(std::lround(point.y)), 0, ignored.rows - 1);
-  return ignored.at<uint8_t>(y, x) != 0;
-}
-
 }  // namespace
 
 Verdict MovingAreas::Judge(const Keypoint& point) const {
-  if (IsIgnored(ignored_, point)) return Verdict::kDynamic;
+  if (Ignores(point)) return Verdict::kDynamic;
   const Verdict by_boxes = rules_.Judge(point);
   if (bodies_.empty()) return by_boxes;
   if (Touches(bodies_, point, kEdgePx + kRingPx * std::pow(scale_factor_, point.octave))) return Verdict::kDynamic;
@@ -175,10 +167,17 @@ std::vector<Verdict> MovingAreas::Judge(const std::vector<Keypoint>& points) con
   return verdicts;
 }
 
-Features WithoutDynamic(Features features, const std::vector<Verdict>& verdicts) {
+bool MovingAreas::Ignores(const Keypoint& point) const {
+  if (ignored_.empty()) return false;
+  const int x = std::clamp(static_cast<int>(std::lround(point.x)), 0, ignored_.cols - 1);
+  const int y = std::clamp(static_cast<int>(std::lround(point.y)), 0, ignored_.rows - 1);
+  return ignored_.at<uint8_t>(y, x) != 0;
+}
+
+Features Kept(Features features, const std::function<bool(size_t)>& is_kept) {
   size_t kept = 0;
   for (size_t i = 0; i < features.keypoints.size(); ++i) {
-    if (verdicts[i] == Verdict::kDynamic) continue;
+    if (!is_kept(i)) continue;
     features.keypoints[kept] = features.keypoints[i];
     features.descriptors[kept] = features.descriptors[i];
     ++kept;

@@ -5,6 +5,7 @@
 // Runs on: one thread at a time. May not: know poses or maps, run detectors, cut features.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ class MovingAreas {
   /// Decides about a point, by its place and octave.
   Verdict Judge(const Keypoint& point) const;
   std::vector<Verdict> Judge(const std::vector<Keypoint>& points) const;
+  /// Whether the user's own mask lies under a point.
+  bool Ignores(const Keypoint& point) const;
 
   /// The boxes of things that move by themselves.
   const std::vector<Box>& boxes() const { return boxes_; }
@@ -46,8 +49,8 @@ class MovingAreas {
   double scale_factor_ = 1;
 };
 
-/// The features that are not dynamic, in their order.
-Features WithoutDynamic(Features features, const std::vector<Verdict>& verdicts);
+/// The features for whose index `is_kept` holds, in their order.
+Features Kept(Features features, const std::function<bool(size_t)>& is_kept);
 
 /// Finds what moves in one picture after the other.
 class Remover {

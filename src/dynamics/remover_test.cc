@@ -197,19 +197,19 @@ TEST(Remover, TheUsersMaskCountsInEveryMode) {
     const MovingAreas areas = remover.Look(scene.images, {{true, {}}, scene.images.timestamp});
     for (const Keypoint& point : Points()) {
       EXPECT_EQ(areas.Judge(point), point.x < kWidth / 2.0f ? Verdict::kDynamic : Verdict::kStatic);
+      EXPECT_EQ(areas.Ignores(point), point.x < kWidth / 2.0f);
     }
   }
 }
 
-TEST(WithoutDynamic, KeepsTheOrderOfTheRest) {
+TEST(Kept, KeepsTheOrder) {
   Features features;
   for (int i = 0; i < 5; ++i) {
     features.keypoints.emplace_back();
     features.keypoints.back().x = static_cast<float>(i);
     features.descriptors.emplace_back();
   }
-  const Features kept = WithoutDynamic(
-      features, {Verdict::kStatic, Verdict::kDynamic, Verdict::kGivenBack, Verdict::kDynamic, Verdict::kStatic});
+  const Features kept = Kept(features, [](size_t index) { return index % 2 == 0; });
   ASSERT_EQ(kept.keypoints.size(), 3u);
   ASSERT_EQ(kept.descriptors.size(), 3u);
   EXPECT_EQ(kept.keypoints[1].x, 2);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -43,8 +44,11 @@ struct Frame {
   std::vector<float> right_px;             ///< x in the virtual right picture; NaN where no depth
   std::vector<Descriptor> descriptors;
   Grid grid;  ///< over points_px
+  /// So many of the last rows lie on what is presumed to move. Only what the map knows well may be found among them.
+  size_t num_suspects = 0;
 
   size_t size() const { return keypoints.size(); }
+  bool IsSuspect(size_t index) const { return index + num_suspects >= size(); }
   bool HasDepth(size_t index) const { return depth[index] > 0; }
 
   /// Of the points with depth; 0 where there are none.
@@ -60,5 +64,8 @@ struct Frame {
 };
 
 using FramePtr = std::shared_ptr<const Frame>;
+
+/// The frame without its suspects but those that `is_cleared(index)`; these are suspects no longer.
+FramePtr WithoutSuspects(const FramePtr& frame, const std::function<bool(size_t)>& is_cleared);
 
 }  // namespace yorb

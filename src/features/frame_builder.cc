@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace yorb {
@@ -39,23 +38,6 @@ float DepthUnder(const Keypoint& keypoint, const DepthImage& depth) {
 
 }  // namespace
 
-ScaleTable::ScaleTable(int levels, double scale_factor) : factor(scale_factor) {
-  for (int level = 0; level < levels; ++level) {
-    const double s = std::pow(scale_factor, level);
-    scale.push_back(static_cast<float>(s));
-    inverse_variance.push_back(static_cast<float>(1.0 / (s * s)));
-  }
-}
-
-float Frame::MedianDepth() const {
-  std::vector<float> measured;
-  std::copy_if(depth.begin(), depth.end(), std::back_inserter(measured), [](float d) { return d > 0; });
-  if (measured.empty()) return 0;
-  const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(measured.size() / 2);
-  std::nth_element(measured.begin(), middle, measured.end());
-  return *middle;
-}
-
 FrameBuilder::FrameBuilder(const FeatureOptions& options, const Rig& rig)
     : extractor_(options),
       wanted_(static_cast<size_t>(options.wanted)),
@@ -64,7 +46,7 @@ FrameBuilder::FrameBuilder(const FeatureOptions& options, const Rig& rig)
       scales_(std::make_shared<const ScaleTable>(options.levels, options.scale_factor)),
       bounds_(rig.Bounds()) {}
 
-FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images, Features features) const {
+FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images, Features features, Features suspects) const {
   auto frame = std::make_shared<Frame>();
   frame->id = id;
   frame->timestamp = images.timestamp;
@@ -75,6 +57,9 @@ FramePtr FrameBuilder::Build(FrameId id, const ImageSet& images, Features featur
   features = Trim(std::move(features), wanted_, trim_by_);
   frame->keypoints = std::move(features.keypoints);
   frame->descriptors = std::move(features.descriptors);
+  frame->num_suspects = suspects.keypoints.size();
+  frame->keypoints.insert(frame->keypoints.end(), suspects.keypoints.begin(), suspects.keypoints.end());
+  frame->descriptors.insert(frame->descriptors.end(), suspects.descriptors.begin(), suspects.descriptors.end());
 
   std::vector<Eigen::Vector2f> distorted_px(frame->size());
   for (size_t i = 0; i < frame->size(); ++i) distorted_px[i] = {frame->keypoints[i].x, frame->keypoints[i].y};

@@ -23,8 +23,8 @@ class FrameBuilder {
     return extractor_.Extract(images.grey, may_use);
   }
 
-  /// The frame of those features of `images` that are left.
-  FramePtr Build(FrameId id, const ImageSet& images, Features features) const;
+  /// The frame of those features of `images` that are left, and of those that were taken away (`suspects`).
+  FramePtr Build(FrameId id, const ImageSet& images, Features features, Features suspects = {}) const;
 
   FramePtr Build(FrameId id, const ImageSet& images) { return Build(id, images, Extract(images)); }
 

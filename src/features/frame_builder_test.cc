@@ -98,5 +98,32 @@ TEST(ScaleTable, GrowsByTheFactor) {
   }
 }
 
+TEST(FrameBuilder, SuspectsComeLastAndGoUnlessCleared) {
+  FrameBuilder builder(FeatureOptions(), FreiburgRig());
+  const ImageSet images = Pictures(true);
+  const FramePtr whole = builder.Build(FrameId(0), images);
+  const size_t half = whole->size() / 2;
+  const auto part = [&](size_t first, size_t last) {
+    const auto at = [](const auto& rows, size_t i) { return rows.begin() + static_cast<std::ptrdiff_t>(i); };
+    return Features{{at(whole->keypoints, first), at(whole->keypoints, last)},
+                    {at(whole->descriptors, first), at(whole->descriptors, last)}};
+  };
+  const FramePtr frame = builder.Build(FrameId(0), images, part(0, half), part(half, whole->size()));
+  ASSERT_EQ(frame->size(), whole->size());
+  EXPECT_EQ(frame->num_suspects, whole->size() - half);
+  EXPECT_FALSE(frame->IsSuspect(half - 1));
+  EXPECT_TRUE(frame->IsSuspect(half));
+  EXPECT_EQ(frame->depth, whole->depth);
+
+  const FramePtr rest = WithoutSuspects(frame, [&](size_t index) { return index == half + 3; });
+  ASSERT_EQ(rest->size(), half + 1);
+  EXPECT_EQ(rest->num_suspects, 0u);
+  EXPECT_EQ(rest->descriptors[half], whole->descriptors[half + 3]);
+  EXPECT_EQ(rest->depth[half], whole->depth[half + 3]);
+  size_t visited = 0;
+  rest->grid.VisitNear(320, 240, 5000, [&](uint32_t) { ++visited; });
+  EXPECT_EQ(visited, rest->size());
+}
+
 }  // namespace
 }  // namespace yorb

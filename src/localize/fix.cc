@@ -12,8 +12,7 @@ namespace {
 /// How much a landmark counts: every keyframe that saw it in its place adds trust. Someone who comes into view brings
 /// many landmarks at once, but none that has stood still for long.
 double TrustIn(const Landmark& landmark) {
-  constexpr double kGrownUp = 4;  // keyframes
-  return std::min(static_cast<double>(landmark.views.size()) / kGrownUp, 1.0);
+  return std::min(static_cast<double>(landmark.views.size()) / Landmark::kGrownUp, 1.0);
 }
 
 /// The pose on known points; `weights`: a row a point.

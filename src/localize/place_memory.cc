@@ -21,6 +21,12 @@ void PlaceMemory::Follow(const Map& map) {
   });
 }
 
+Bag PlaceMemory::Describe(const Frame& frame) const {
+  std::vector<Descriptor> descriptors = frame.descriptors;
+  descriptors.resize(frame.size() - frame.num_suspects);
+  return vocabulary_->Describe(descriptors);
+}
+
 std::vector<KeyframeId> PlaceMemory::Recall(const Map& map, const Bag& bag, size_t max_count,
                                             const std::function<bool(KeyframeId)>& may_be) const {
   constexpr size_t kMostCandidates = 30, kNeighbours = 10;

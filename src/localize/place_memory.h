@@ -22,7 +22,8 @@ class PlaceMemory {
   /// Takes in what is new in the map, and lets go of what is not there any more.
   void Follow(const Map& map);
 
-  Bag Describe(const Frame& frame) const { return vocabulary_->Describe(frame.descriptors); }
+  /// The words of a frame, but for those of suspects.
+  Bag Describe(const Frame& frame) const;
 
   /// Keyframes of the places most like the bag, the best first, at most two of each; keyframes that look at one place
   /// speak for it together. `may_be` says which keyframes count; `map` is the one followed last.

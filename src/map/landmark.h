@@ -29,6 +29,10 @@ struct Landmark {
   int num_found = 0;                                         ///< frames in which it was
   std::vector<LandmarkView> views;                           ///< by ascending keyframe id; never empty
 
+  /// Whether it was seen in its place often enough that it can be found even where people are presumed.
+  bool IsGrownUp() const { return views.size() >= kGrownUp; }
+  static constexpr size_t kGrownUp = 4;  ///< keyframes
+
   /// The view of that keyframe, or null.
   const LandmarkView* ViewOf(KeyframeId keyframe) const;
 

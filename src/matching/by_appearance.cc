@@ -29,7 +29,7 @@ std::vector<int> MatchByAppearance(const Frame& frame, const std::vector<KnownPo
   std::vector<Pair> nearest(frame.size());
   std::vector<int> best_of_row(rows.size(), 257);
   std::vector<uint16_t> distances(rows.size());
-  for (size_t i = 0; i < frame.size(); ++i) {
+  for (size_t i = 0; i < frame.size() && !frame.IsSuspect(i); ++i) {
     HammingDistances(frame.descriptors[i], rows.data(), rows.size(), distances.data());
     int second = 257;
     for (size_t row = 0; row < rows.size(); ++row) {
@@ -47,7 +47,7 @@ std::vector<int> MatchByAppearance(const Frame& frame, const std::vector<KnownPo
 
   Claims claims(frame.size());
   std::vector<float> turn_rad(frame.size(), 0.f);
-  for (size_t i = 0; i < frame.size(); ++i) {
+  for (size_t i = 0; i < frame.size() && !frame.IsSuspect(i); ++i) {
     const auto [row, distance] = nearest[i];
     if (row < 0 || distance > best_of_row[static_cast<size_t>(row)]) continue;
     claims.Claim(static_cast<int>(i), row, distance);

@@ -21,6 +21,17 @@ OctaveRange OctavesAfter(const Frame& frame, const Rigid3& cam_from_world, const
   return {1, 1};
 }
 
+/// Whether a keypoint may be a point of the map at all: a suspect only one that is known well, and by its depth.
+bool IsOpen(const Frame& frame, uint32_t index, bool is_grown_up) {
+  return !frame.IsSuspect(index) || (is_grown_up && frame.HasDepth(index));
+}
+
+/// Whether what resembles a point may be it: a suspect must resemble it more.
+bool IsAlike(const Frame& frame, const SearchResult& found) {
+  if (found.index < 0) return false;
+  return found.distance <= (frame.IsSuspect(static_cast<size_t>(found.index)) ? kStrictDistance : kLooseDistance);
+}
+
 float RightOf(const Frame& frame, double x_px, double depth) {
   return static_cast<float>(x_px - frame.rig->VirtualBaselinePx() / depth);
 }
@@ -30,10 +41,10 @@ float RightOf(const Frame& frame, double x_px, double depth) {
 std::vector<int> MatchKnownPoints(const Frame& frame, const Rigid3& cam_from_world, const Rigid3& last_cam_from_world,
                                   const std::vector<KnownPoint>& points, float radius_px) {
   const OctaveRange octaves = OctavesAfter(frame, cam_from_world, last_cam_from_world);
-  const auto all_free = [](uint32_t) { return true; };
   Claims claims(frame.size());
   for (size_t row = 0; row < points.size(); ++row) {
     const KnownPoint& point = points[row];
+    const auto is_free = [&](uint32_t index) { return IsOpen(frame, index, point.is_grown_up); };
     const Eigen::Vector3d x_in_cam = cam_from_world * point.x_in_world;
     if (x_in_cam.z() <= 0) continue;
     const Eigen::Vector2d px = frame.rig->camera.Project(x_in_cam);
@@ -44,8 +55,8 @@ std::vector<int> MatchKnownPoints(const Frame& frame, const Rigid3& cam_from_wor
     area.radius_px = radius_px * frame.scales->scale[static_cast<size_t>(point.octave)];
     area.min_octave = point.octave - octaves.below;
     area.max_octave = point.octave + octaves.above;
-    const SearchResult found = FindNearest(frame, area, point.descriptor, all_free);
-    if (found.index >= 0 && found.distance <= kLooseDistance) {
+    const SearchResult found = FindNearest(frame, area, point.descriptor, is_free);
+    if (IsAlike(frame, found)) {
       claims.Claim(found.index, static_cast<int>(row), found.distance);
     }
   }
@@ -90,11 +101,13 @@ std::optional<SearchArea> ExpectLandmark(const Landmark& landmark, const Frame& 
 std::vector<int> MatchExpected(const Frame& frame, const std::vector<ExpectedLandmark>& expected,
                                const std::vector<bool>& taken) {
   constexpr double kRatio = 0.8;
-  const auto is_free = [&](uint32_t index) { return !taken[index]; };
   Claims claims(frame.size());
   for (size_t row = 0; row < expected.size(); ++row) {
-    const SearchResult found = FindNearest(frame, expected[row].area, expected[row].landmark->descriptor, is_free);
-    if (found.index >= 0 && found.distance <= kLooseDistance && !found.IsAmbiguous(kRatio)) {
+    const Landmark& landmark = *expected[row].landmark;
+    const bool is_grown_up = landmark.IsGrownUp();
+    const auto is_free = [&](uint32_t index) { return !taken[index] && IsOpen(frame, index, is_grown_up); };
+    const SearchResult found = FindNearest(frame, expected[row].area, landmark.descriptor, is_free);
+    if (IsAlike(frame, found) && !found.IsAmbiguous(kRatio)) {
       claims.Claim(found.index, static_cast<int>(row), found.distance);
     }
   }

@@ -15,9 +15,10 @@ namespace yorb {
 struct KnownPoint {
   Eigen::Vector3d x_in_world = Eigen::Vector3d::Zero();
   Descriptor descriptor{};
-  int octave = 0;       ///< at which it was seen
-  float angle_rad = 0;  ///< of the keypoint that saw it
-  LandmarkId landmark;  ///< not valid: a point of the frame before, known by its depth alone
+  int octave = 0;            ///< at which it was seen
+  float angle_rad = 0;       ///< of the keypoint that saw it
+  LandmarkId landmark;       ///< not valid: a point of the frame before, known by its depth alone
+  bool is_grown_up = false;  ///< may be found among suspects
 };
 
 /// Finds points of the frame before in this one, near where the guessed pose puts them. Gives for each keypoint the row

@@ -84,6 +84,45 @@ TEST(MatchExpected, FindsLandmarksButNotOnTakenKeypoints) {
   for (const int row : MatchExpected(*scene.second.frame, expected, taken)) EXPECT_EQ(row, -1);
 }
 
+/// A frame of which everything is suspect.
+Frame AllSuspect(Frame frame) {
+  frame.num_suspects = frame.size();
+  return frame;
+}
+
+TEST(MatchExpected, FindsOnlyGrownUpLandmarksAmongSuspects) {
+  Scene scene(Moved(0.1, 0.05));
+  Frame suspects = AllSuspect(*scene.second.frame);
+  const auto count_found = [&] {
+    std::vector<ExpectedLandmark> expected;
+    for (const LandmarkId id : scene.landmarks) {
+      const Landmark* landmark = scene.map.Find(id);
+      const auto area = ExpectLandmark(*landmark, suspects, scene.pose, 3);
+      if (area) expected.push_back({id, landmark, *area});
+    }
+    const auto rows = MatchExpected(suspects, expected, std::vector<bool>(suspects.size()));
+    return std::count_if(rows.begin(), rows.end(), [](int row) { return row >= 0; });
+  };
+  EXPECT_EQ(count_found(), 0);
+  for (size_t view = 1; view < Landmark::kGrownUp; ++view) {
+    const KeyframeId again = scene.map.AddKeyframe(scene.first.frame, Rigid3::Identity(), scene.keyframe);
+    for (uint32_t i = 0; i < scene.landmarks.size(); ++i) scene.map.Observe(scene.landmarks[i], again, i);
+  }
+  EXPECT_GT(count_found(), 0.9 * scene.NumShared());
+  suspects.depth.assign(suspects.size(), 0);  // nothing tells what is in front from what is behind
+  EXPECT_EQ(count_found(), 0);
+}
+
+TEST(MatchKnownPoints, FindsOnlyWhatIsGrownUpAmongSuspects) {
+  const Scene scene(Moved(0.05, 0.02));
+  const Frame suspects = AllSuspect(*scene.second.frame);
+  std::vector<KnownPoint> points = KnownPointsOf(*scene.map.Find(scene.keyframe), scene.map);
+  const auto match = [&] { return MatchKnownPoints(suspects, scene.pose, Rigid3::Identity(), points, 15); };
+  EXPECT_EQ(scene.Judge(match()).first, 0);
+  for (KnownPoint& point : points) point.is_grown_up = true;
+  EXPECT_GT(scene.Judge(match()).first, 0.95 * scene.NumShared());
+}
+
 TEST(ExpectLandmark, SaysNothingBehindOutsideOrFromAside) {
   const Scene scene(Rigid3::Identity());
   const Landmark& landmark = *scene.map.Find(scene.landmarks[0]);
@@ -105,6 +144,7 @@ TEST(MatchByAppearance, NeedsNoPose) {
   const auto [count, right] = scene.Judge(MatchByAppearance(*scene.second.frame, points));
   EXPECT_GT(count, 0.9 * scene.NumShared());
   EXPECT_EQ(right, count);
+  EXPECT_EQ(scene.Judge(MatchByAppearance(AllSuspect(*scene.second.frame), points)).first, 0);
 }
 
 TEST(MatchByAppearance, GivesNothingForAnotherWorld) {

@@ -64,14 +64,25 @@ FrameRecord Joined(const FrameRecord& before, const FrameRecord& tracked, double
   return record;
 }
 
+/// What tells one keypoint of a picture from all others.
+std::tuple<int, float, float> PlaceOf(const Keypoint& point) { return {point.octave, point.x, point.y}; }
+
+/// Which of the points that the tracker found to move were not counted among the dynamic ones before.
+int CountPresumedStill(const Frame& frame, const std::vector<Keypoint>& moving) {
+  std::set<std::tuple<int, float, float>> suspects;
+  for (size_t i = frame.size() - frame.num_suspects; i < frame.size(); ++i)
+    suspects.insert(PlaceOf(frame.keypoints[i]));
+  return static_cast<int>(std::count_if(moving.begin(), moving.end(),
+                                        [&](const Keypoint& point) { return suspects.count(PlaceOf(point)) == 0; }));
+}
+
 /// Marks as dynamic the points that the tracker found to move.
 void MarkMoving(const std::vector<Keypoint>& points, const std::vector<Keypoint>& moving,
                 std::vector<Verdict>& verdicts) {
-  const auto place = [](const Keypoint& point) { return std::make_tuple(point.octave, point.x, point.y); };
   std::set<std::tuple<int, float, float>> places;
-  for (const Keypoint& point : moving) places.insert(place(point));
+  for (const Keypoint& point : moving) places.insert(PlaceOf(point));
   for (size_t i = 0; i < points.size(); ++i) {
-    if (places.count(place(points[i])) > 0) verdicts[i] = Verdict::kDynamic;
+    if (places.count(PlaceOf(points[i])) > 0) verdicts[i] = Verdict::kDynamic;
   }
 }
 
@@ -202,14 +213,19 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
   if (follows_bodies_) extracted.depth = grids_.Make(images.depth);
   record.remove_ms = watch.ms();
+  const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
+  Features suspects;
+  if (follows_bodies_ && record.num_removed > 0) {
+    suspects = Kept(features, [&](size_t i) { return is_dynamic(i) && !areas.Ignores(features.keypoints[i]); });
+  }
   if (follows_bodies_ && NeedsSecondLook(record)) {
     const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
     features = builder_.Extract(images, may_use);
   } else if (record.num_removed > 0) {
-    features = WithoutDynamic(std::move(features), verdicts);
+    features = Kept(std::move(features), [&](size_t i) { return !is_dynamic(i); });
   }
-  extracted.frame = builder_.Build(FrameId(next_frame_++), images, std::move(features));
-  record.num_static = static_cast<int>(extracted.frame->size());
+  extracted.frame = builder_.Build(FrameId(next_frame_++), images, std::move(features), std::move(suspects));
+  record.num_static = static_cast<int>(extracted.frame->size() - extracted.frame->num_suspects);
   record.detect_ms = looked.detect_ms;
   return extracted;
 }
@@ -235,7 +251,7 @@ std::optional<Proposal> Pipeline::Track(Extracted& extracted) {
   const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
   const MapSnapshot map = view_.Get();
   Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, extracted.depth);
-  const auto num_moving = static_cast<int>(tracked.moving.size());
+  const int num_moving = CountPresumedStill(*extracted.frame, tracked.moving);
   extracted.record.num_static -= num_moving;
   extracted.record.num_removed += num_moving;
   log_.Add(Joined(extracted.record, tracked.record, watch.ms()));

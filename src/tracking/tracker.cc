@@ -6,7 +6,6 @@
 
 #include "localize/relocalizer.h"
 #include "tracking/keyframe_policy.h"
-#include "tracking/leave_out.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -14,7 +13,6 @@ namespace {
 
 constexpr size_t kMinInliersOfGuess = 10;  // that make a first pose worth refining on the local map
 constexpr size_t kFewMatches = 20;         // with the frame before
-constexpr size_t kManyViews = 4;           // of a landmark that has stood still for long
 
 size_t NumInliers(const Fix& fix) { return fix.num_inliers + fix.num_inliers_by_depth; }
 
@@ -26,7 +24,17 @@ bool IsConvincing(const Fix& fix) {
 }
 
 int CountPointsWithDepth(const Frame& frame) {
-  return static_cast<int>(std::count_if(frame.depth.begin(), frame.depth.end(), [](float d) { return d > 0; }));
+  const auto end = frame.depth.end() - static_cast<std::ptrdiff_t>(frame.num_suspects);
+  return static_cast<int>(std::count_if(frame.depth.begin(), end, [](float d) { return d > 0; }));
+}
+
+/// Lets go of the suspects that no landmark speaks for; the others have shown that they stand still.
+FramePtr WithoutSuspects(const FramePtr& frame, Fix& fix) {
+  if (frame->num_suspects == 0) return frame;
+  const FramePtr rest = WithoutSuspects(frame, [&](size_t index) { return fix.matches[index].IsValid(); });
+  const auto first = fix.matches.end() - static_cast<std::ptrdiff_t>(frame->num_suspects);
+  fix.matches.erase(std::remove(first, fix.matches.end(), LandmarkId()), fix.matches.end());
+  return rest;
 }
 
 /// Whether both frames are of the very same picture: a driver that hands it out again under a new time stamp.
@@ -44,21 +52,23 @@ Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, co
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
-  tracked.record.num_extracted = tracked.record.num_static = static_cast<int>(frame->size());
+  tracked.record.num_extracted = static_cast<int>(frame->size());
+  tracked.record.num_static = static_cast<int>(frame->size() - frame->num_suspects);
   tracked.record.is_keyframe = tracked.proposal.has_value();
   return tracked;
 }
 
-Tracked Tracker::Begin(const FramePtr& frame, const Map& map) {
+Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   Tracked tracked;
-  const int num_points = CountPointsWithDepth(*frame);
+  const int num_points = CountPointsWithDepth(*raw_frame);
   if (num_points < options_.min_first_points) return tracked;
+  const FramePtr frame = WithoutSuspects(raw_frame, [](size_t) { return false; });
   // This frame will be the next keyframe, since no other waits, and defines the world of its sub-map.
   const KeyframeId first = map.next_keyframe();
   state_ = TrackingState::kTracking;
   motion_.Forget();
   movers_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), frame};
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), raw_frame};
   was_lost_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -88,6 +98,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
     frame = better;
     fix = Refit(*frame, map, fix);
   }
+  frame = WithoutSuspects(frame, fix);
   Remember(frame, map, *located);
   tracked.moving = LeaveOutMovers(frame, depth, map, fix);
   if (!tracked.moving.empty()) Remember(frame, map, *located);
@@ -280,41 +291,6 @@ void Tracker::CountSeen(const Located& located) {
   }
 }
 
-/// Landmarks that the camera sees through are not there any more.
-void Tracker::CountGone(const Frame& frame, const DepthGrid& depth, const Map& map, const Located& located) {
-  if (depth.empty()) return;
-  for (const LandmarkId id : located.visible) {
-    const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
-    if (landmark && IsSeenThrough(depth, *frame.rig, located.fix.cam_from_world * landmark->position)) {
-      ++counts_[id].gone;
-    }
-  }
-}
-
-/// Takes the points on what moves out of a frame and what was found of it; gives those points. Landmarks that move with
-/// them, if only few keyframes know them, are as good as gone.
-std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const DepthGrid& depth, const Map& map, Fix& fix) {
-  PosedFrame posed{frame, std::vector<bool>(frame->size()), {last_.reference, last_.cam_from_reference}};
-  for (size_t i = 0; i < frame->size(); ++i) posed.is_known[i] = fix.matches[i].IsValid();
-  const auto is_moving = PointsOnMovers(*frame, movers_.Find(std::move(posed), depth, map));
-  std::vector<Keypoint> moving;
-  for (size_t i = 0; i < is_moving.size(); ++i) {
-    if (!is_moving[i]) continue;
-    moving.push_back(frame->keypoints[i]);
-    const Landmark* landmark = fix.matches[i].IsValid() ? map.Find(fix.matches[i]) : nullptr;
-    if (!landmark) continue;
-    --fix.num_inliers;
-    if (landmark->views.size() >= kManyViews) continue;
-    --counts_[landmark->id].found;
-    ++counts_[landmark->id].gone;
-  }
-  if (moving.empty()) return moving;
-  frame = WithoutRows(frame, is_moving);
-  fix.matches = WithoutRows(std::move(fix.matches), is_moving);
-  if (NumInliers(fix) >= kFewMatches) fix = Refit(*frame, map, fix);
-  return moving;
-}
-
 void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
   if (state_ == TrackingState::kTracking || motion_.rate()) {
     motion_.Observe(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
@@ -368,7 +344,8 @@ std::vector<KnownPoint> Tracker::LandmarksOfLast(const Map& map) const {
     const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
     if (!landmark) continue;
     const Keypoint& keypoint = frame.keypoints[i];
-    points.push_back({landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id});
+    points.push_back(
+        {landmark->position, landmark->descriptor, keypoint.octave, keypoint.angle_rad, id, landmark->IsGrownUp()});
   }
   return points;
 }

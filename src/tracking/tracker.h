@@ -70,7 +70,7 @@ class Tracker {
     bool was_refused = false;  ///< there was a pose where no camera gets so fast
   };
 
-  Tracked Begin(const FramePtr& frame, const Map& map);
+  Tracked Begin(const FramePtr& raw_frame, const Map& map);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth);
   Tracked StandStill();
   Sought FindPose(const Frame& frame, const Map& map);
