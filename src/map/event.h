@@ -46,10 +46,10 @@ struct FrameRecord {
   double frame_total_ms = 0;  ///< from taking the picture up to its pose, boxes waited for, without waiting in queues
 };
 
-/// How often the tracker expected and found a landmark since it last said so.
+/// How often the tracker expected and found a landmark since it last said so, and how often it was seen to have gone.
 struct LandmarkCount {
   LandmarkId id;
-  int visible = 0, found = 0;
+  int visible = 0, found = 0, gone = 0;
 };
 
 /// What the tracker asks of the map: this frame should be a keyframe. The tracker itself writes nothing.

@@ -53,6 +53,19 @@ std::vector<LandmarkId> CullRecentLandmarks(Map& map, const std::vector<Landmark
   return still_recent;
 }
 
+size_t RemoveGone(Map& map, const std::vector<LandmarkCount>& counts) {
+  constexpr int kOftenGone = 3;
+  size_t num_removed = 0;
+  for (const LandmarkCount& count : counts) {
+    if (count.gone < kOftenGone || count.gone <= count.found) continue;
+    const LandmarkId id = map.Resolve(count.id);
+    if (!map.Find(id)) continue;
+    map.Remove(id);
+    ++num_removed;
+  }
+  return num_removed;
+}
+
 void CullKeyframes(Map& map, KeyframeId center, double redundant_share) {
   const std::vector<Neighbour> neighbours = map.Find(center)->neighbours;
   for (const Neighbour& neighbour : neighbours) {

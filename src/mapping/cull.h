@@ -15,6 +15,10 @@ int NumRays(const Map& map, const Landmark& landmark);
 /// that should have seen them, or seen by too few keyframes after two more came. Gives those that are still on trial.
 std::vector<LandmarkId> CullRecentLandmarks(Map& map, const std::vector<LandmarkId>& recent);
 
+/// Takes out the landmarks that turned out to move: seen to have gone several times, and more often than they were
+/// found since the last keyframe. Gives how many.
+size_t RemoveGone(Map& map, const std::vector<LandmarkCount>& counts);
+
 /// Removes the neighbours of a keyframe of which nearly all (`redundant_share`) is seen by three others at the same or
 /// a finer scale.
 void CullKeyframes(Map& map, KeyframeId center, double redundant_share);

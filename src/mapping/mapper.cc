@@ -27,6 +27,7 @@ MappingTimes Mapper::Handle(const Proposal& proposal, const MapperHooks& hooks) 
   const auto num_neighbours = static_cast<size_t>(options_.neighbours);
 
   const KeyframeId id = times.added = Insert(proposal);
+  times.num_landmarks_gone = RemoveGone(map_, proposal.counts);
   times.insert_ms = total.ms();
 
   const Stopwatch triangulate;

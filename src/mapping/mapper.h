@@ -29,6 +29,7 @@ struct MappingTimes {
   double total_ms = 0;
   double insert_ms = 0, triangulate_ms = 0, fuse_ms = 0, local_ba_ms = 0, cull_ms = 0;
   bool has_adjusted = false;
+  size_t num_landmarks_gone = 0;  ///< that turned out to move
 };
 
 class Mapper {

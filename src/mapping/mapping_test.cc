@@ -81,6 +81,21 @@ TEST(CullRecentLandmarks, TakesOutThoseThatAreHardlyFound) {
 }
 
 /// Maps a row of views as a tracker with perfect matches and slightly wrong poses would propose them.
+TEST(RemoveGone, TakesOutWhatWasOftenSeenToHaveGone) {
+  const SyntheticWorld world(4);
+  const auto view = world.Look(CameraAt(0), FrameId(0), Timestamp{0});
+  Map map;
+  const std::vector<LandmarkId> landmarks = AddLandmarksByDepth(map, InsertKeyframe(map, First(view)));
+  const LandmarkId gone = landmarks[0], merged = landmarks[1], into = landmarks[2];
+  const LandmarkId found = landmarks[3], rarely = landmarks[4];
+  map.Merge(merged, into);
+  EXPECT_EQ(RemoveGone(map, {{gone, 5, 1, 4}, {merged, 5, 0, 3}, {found, 9, 5, 4}, {rarely, 2, 0, 2}}), 2u);
+  EXPECT_FALSE(map.Find(gone) || map.Find(into));
+  EXPECT_TRUE(map.Find(found) && map.Find(rarely));
+  EXPECT_EQ(RemoveGone(map, {{gone, 5, 1, 4}}), 0u);
+  EXPECT_EQ(map.Check(), "");
+}
+
 TEST(Mapper, PullsWrongPosesRightAndKeepsTheInvariants) {
   SyntheticWorldOptions options;
   options.pixel_noise = 0.3;

@@ -53,6 +53,7 @@ RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& repor
   metrics.skipped = fed.num_skipped;
   metrics.dynamics = DynamicsOf(run.options.config.dynamics, report.frames);
   metrics.dynamics.boxes_unmatched = run.num_boxes_unmatched;
+  metrics.dynamics.landmarks_removed = report.num_landmarks_gone;
   metrics.wall_s = run.watch.seconds();
   metrics.cpu_s = CpuSeconds();
   metrics.peak_rss_mb = PeakRssMb();

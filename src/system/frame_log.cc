@@ -75,6 +75,7 @@ void FrameLog::Add(const FrameRecord& record) {
 
 void FrameLog::Add(const MappingTimes& times) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  num_landmarks_gone_ += times.num_landmarks_gone;
   stage_ms_["mapping"].push_back(times.total_ms);
   stage_ms_["insert"].push_back(times.insert_ms);
   stage_ms_["triangulate"].push_back(times.triangulate_ms);
@@ -100,6 +101,7 @@ SlamReport FrameLog::Report(const Map& map, KeyframeId first_own) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     report.frames = records_;
     report.stage_ms = stage_ms_;
+    report.num_landmarks_gone = num_landmarks_gone_;
   }
   report.submaps = SubmapsOf(report.frames, map, first_own);
   report.num_keyframes = map.num_keyframes();

@@ -31,6 +31,7 @@ class FrameLog {
   mutable std::mutex mutex_;
   std::vector<FrameRecord> records_;
   std::map<std::string, std::vector<double>> stage_ms_;
+  size_t num_landmarks_gone_ = 0;
 };
 
 }  // namespace yorb

@@ -3,6 +3,8 @@
 #include "system/pipeline.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/priority.h"
@@ -63,6 +65,28 @@ FrameRecord Joined(const FrameRecord& before, const FrameRecord& tracked, double
   return record;
 }
 
+/// What tells one keypoint of a picture from all others.
+std::tuple<int, float, float> PlaceOf(const Keypoint& point) { return {point.octave, point.x, point.y}; }
+
+/// Which of the points that the tracker found to move were not counted among the dynamic ones before.
+int CountPresumedStill(const Frame& frame, const std::vector<Keypoint>& moving) {
+  std::set<std::tuple<int, float, float>> suspects;
+  for (size_t i = frame.size() - frame.num_suspects; i < frame.size(); ++i)
+    suspects.insert(PlaceOf(frame.keypoints[i]));
+  return static_cast<int>(std::count_if(moving.begin(), moving.end(),
+                                        [&](const Keypoint& point) { return suspects.count(PlaceOf(point)) == 0; }));
+}
+
+/// Marks as dynamic the points that the tracker found to move.
+void MarkMoving(const std::vector<Keypoint>& points, const std::vector<Keypoint>& moving,
+                std::vector<Verdict>& verdicts) {
+  std::set<std::tuple<int, float, float>> places;
+  for (const Keypoint& point : moving) places.insert(PlaceOf(point));
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (places.count(PlaceOf(points[i])) > 0) verdicts[i] = Verdict::kDynamic;
+  }
+}
+
 /// Whether moving things took nearly all points: those that were extracted are spread over the whole picture, and what
 /// is left of it has more to give.
 bool NeedsSecondLook(const FrameRecord& record) {
@@ -77,6 +101,7 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       parts_(std::move(parts)),
       builder_(FeaturesOf(config), rig),
       follows_bodies_(DynamicsOf(config) == Dynamics::kFull),
+      grids_(rig),
       remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor, SureConfidence(config)),
       tracker_(config.tracking, config.seed, TaskOf(config, parts_), parts_.vocabulary),
       mapper_(config.mapping, parts_.vocabulary, Map::Continuing(*StartOf(parts_))),
@@ -111,7 +136,8 @@ Pipeline::~Pipeline() { Finish(); }
 bool Pipeline::Push(ImageSet images) {
   if (mode_ == Mode::kOffline) return images_.Push(std::move(images));
   if (mode_ == Mode::kLive) return images_.TryPush(std::move(images));
-  if (const auto proposal = Track(Extract(images))) {
+  Extracted extracted = Extract(images);
+  if (const auto proposal = Track(extracted)) {
     const KeyframeId added = Handle(*proposal, {});
     view_.Set(mapper_.Snapshot());
     LookForLoops(added, [this](const Correction& correction) {
@@ -185,7 +211,8 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_given_back = static_cast<int>(std::count(verdicts.begin(), verdicts.end(), Verdict::kGivenBack));
   record.num_boxes = static_cast<int>(areas.boxes().size());
   record.num_bridged = areas.num_bridged();
-  if (parts_.watch) parts_.watch({images, features.keypoints, verdicts, areas});
+  if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
+  if (follows_bodies_) extracted.depth = grids_.Make(images.depth);
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
   Features suspects;
@@ -220,12 +247,20 @@ Pipeline::Extracted Pipeline::Extract(const ImageSet& images) {
   return extracted;
 }
 
-std::optional<Proposal> Pipeline::Track(const Extracted& extracted) {
+std::optional<Proposal> Pipeline::Track(Extracted& extracted) {
   const Stopwatch watch;
   const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
   const MapSnapshot map = view_.Get();
-  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog);
+  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, extracted.depth);
+  const int num_moving = CountPresumedStill(*extracted.frame, tracked.moving);
+  extracted.record.num_static -= num_moving;
+  extracted.record.num_removed += num_moving;
   log_.Add(Joined(extracted.record, tracked.record, watch.ms()));
+  if (extracted.judged) {
+    Judged& judged = *extracted.judged;
+    MarkMoving(judged.points, tracked.moving, judged.verdicts);
+    parts_.watch({judged.images, judged.points, judged.verdicts, judged.areas});
+  }
   return std::move(tracked.proposal);
 }
 
@@ -265,7 +300,7 @@ void Pipeline::RunExtraction() {
 }
 
 void Pipeline::RunTracking() {
-  while (const auto extracted = frames_.Pop()) {
+  while (auto extracted = frames_.Pop()) {
     auto proposal = Track(*extracted);
     if (!proposal) continue;
     const bool is_first = !proposal->reference.IsValid();

@@ -15,6 +15,7 @@
 #include "features/frame_builder.h"
 #include "looping/looper.h"
 #include "mapping/mapper.h"
+#include "motion/depth_grid.h"
 #include "system/frame_log.h"
 #include "system/slam.h"
 #include "tracking/tracker.h"
@@ -46,10 +47,20 @@ class Pipeline {
   size_t num_frames_done() const { return log_.num_frames(); }
 
  private:
+  /// What was decided about the points of a picture before its pose was known, for who wants to watch.
+  struct Judged {
+    ImageSet images;
+    std::vector<Keypoint> points;
+    std::vector<Verdict> verdicts;
+    MovingAreas areas;
+  };
+
   /// A frame on its way to the tracker.
   struct Extracted {
     FramePtr frame;
     FrameRecord record;  ///< what is known of it so far
+    DepthGrid depth;     ///< in which movers are looked for; empty: they are not
+    std::optional<Judged> judged;
   };
 
   /// What the detector said, and of which picture.
@@ -66,7 +77,7 @@ class Pipeline {
   Looked Await(const ImageSet& images);
   Extracted Extract(const ImageSet& images);
   Extracted Remove(const ImageSet& images, Features features, const Looked& looked);
-  std::optional<Proposal> Track(const Extracted& extracted);
+  std::optional<Proposal> Track(Extracted& extracted);
   KeyframeId Handle(const Proposal& proposal, const MapperHooks& hooks);
   template <typename Apply>
   void LookForLoops(KeyframeId added, Apply&& apply);
@@ -83,6 +94,7 @@ class Pipeline {
   SlamParts parts_;
   FrameBuilder builder_;
   const bool follows_bodies_;  ///< beyond the paper
+  DepthGridMaker grids_;
   Remover remover_;
   Tracker tracker_;
   Mapper mapper_;

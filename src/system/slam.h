@@ -40,6 +40,7 @@ struct SlamReport {
       stage_ms;                       ///< "extract", "track", "frame_total", "mapping", "local_ba" ...
   std::vector<SubmapReport> submaps;  ///< the one with most frames first; never empty
   size_t num_keyframes = 0, num_landmarks = 0, num_loops = 0;
+  size_t num_landmarks_gone = 0;  ///< that turned out to move, and left the map
 
   /// Of the sub-map with most frames.
   const Trajectory& trajectory() const { return submaps.front().trajectory; }
@@ -60,7 +61,7 @@ struct SlamParts {
   std::unique_ptr<Detector> detector;            ///< null: nothing is detected
   MotionTable motions = MotionTable::Default();  ///< how the classes of its boxes move
   VocabularyPtr vocabulary;                      ///< null: no place is recognised by its words
-  std::function<void(const Watched&)> watch;     ///< called for each picture, on the thread that extracts; may be empty
+  std::function<void(const Watched&)> watch;     ///< called for each picture, on the thread that tracks; may be empty
 };
 
 /// A SLAM system for one camera.

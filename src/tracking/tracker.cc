@@ -37,22 +37,18 @@ FramePtr WithoutSuspects(const FramePtr& frame, Fix& fix) {
   return rest;
 }
 
-/// Whether a new frame is of the very picture of the last one: a driver that hands it out again under a new time stamp.
-/// The last one has let go of its suspects.
-bool IsSamePicture(const Frame& frame, const Frame& last) {
-  const size_t size = frame.size() - frame.num_suspects;
-  if (size == 0 || last.size() < size || last.size() > frame.size()) return false;
-  for (size_t i = 0; i < size; ++i) {
-    const Keypoint &a = frame.keypoints[i], &b = last.keypoints[i];
-    if (a.x != b.x || a.y != b.y || frame.descriptors[i] != last.descriptors[i]) return false;
-  }
-  return true;
+/// Whether both frames are of the very same picture: a driver that hands it out again under a new time stamp.
+bool IsSamePicture(const Frame& a, const Frame& b) {
+  const auto is_same_place = [](const Keypoint& p, const Keypoint& q) { return p.x == q.x && p.y == q.y; };
+  return a.size() > 0 && a.descriptors == b.descriptors &&
+         std::equal(a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(), is_same_place);
 }
 
 }  // namespace
 
-Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog) {
-  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
+Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth) {
+  Tracked tracked =
+      state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog, depth);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
@@ -71,7 +67,8 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   const KeyframeId first = map.next_keyframe();
   state_ = TrackingState::kTracking;
   motion_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size())};
+  movers_.Forget();
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), raw_frame};
   was_lost_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -82,8 +79,8 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   return tracked;
 }
 
-Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
-  if (last_.frame && IsSamePicture(*raw_frame, *last_.frame)) return StandStill();
+Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog, const DepthGrid& depth) {
+  if (last_.frame && IsSamePicture(*raw_frame, *last_.picture)) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
   Sought sought = FindPose(*frame, map);
@@ -103,6 +100,10 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   }
   frame = WithoutSuspects(frame, fix);
   Remember(frame, map, *located);
+  tracked.moving = LeaveOutMovers(frame, depth, map, fix);
+  if (!tracked.moving.empty()) Remember(frame, map, *located);
+  last_.picture = raw_frame;
+  if (!task_.only_locates) CountGone(*frame, depth, map, *located);
   tracked.record.reference = last_.reference;
   tracked.record.cam_from_reference = last_.cam_from_reference;
   tracked.record.num_matched = static_cast<int>(fix.num_matched);
@@ -306,7 +307,7 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
   const Fix& fix = located.fix;
   const KeyframeId reference =
       located.local.reference.IsValid() ? located.local.reference : map.Surviving(last_.reference);
-  last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches};
+  last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches, frame};
 }
 
 void Tracker::NoteLoss(const Frame& frame, bool was_refused) {
@@ -314,6 +315,7 @@ void Tracker::NoteLoss(const Frame& frame, bool was_refused) {
   if (last_.frame) {                   // otherwise it was lost from the beginning
     const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
     state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
+    if (state_ == TrackingState::kLost) movers_.Forget();
   }
   const bool shows_something = CountPointsWithDepth(frame) >= options_.min_first_points;
   if (shows_something && !sought_since_) sought_since_ = frame.timestamp;
@@ -327,7 +329,7 @@ bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
   Proposal proposal{frame, last_.reference, last_.cam_from_reference, fix.matches, {}};
   proposal.counts.reserve(counts_.size());
-  for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found});
+  for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found, count.gone});
   counts_.clear();
   last_proposal_ = frame->timestamp;
   frames_since_proposal_ = 0;

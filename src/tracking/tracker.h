@@ -12,6 +12,7 @@
 #include "localize/local_map.h"
 #include "localize/place_memory.h"
 #include "map/map.h"
+#include "motion/mover_finder.h"
 #include "tracking/motion_model.h"
 #include "tracking/tracking_options.h"
 
@@ -21,6 +22,7 @@ namespace yorb {
 struct Tracked {
   FrameRecord record;
   std::optional<Proposal> proposal;
+  std::vector<Keypoint> moving;  ///< points that were left out since geometry says that they move
 };
 
 /// What a tracker is to do with the map.
@@ -41,8 +43,9 @@ class Tracker {
         memory_(std::move(vocabulary)),
         state_(task.has_map ? TrackingState::kLost : TrackingState::kNotInitialized) {}
 
-  /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off.
-  Tracked Track(const FramePtr& frame, const Map& map, size_t backlog);
+  /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off. What moves is
+  /// looked for where a depth picture is given.
+  Tracked Track(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth = {});
 
  private:
   /// The newest frame whose pose was confirmed.
@@ -51,6 +54,7 @@ class Tracker {
     KeyframeId reference;
     Rigid3 cam_from_reference;
     std::vector<LandmarkId> matches;
+    FramePtr picture;  ///< the frame as it came, with all of its points
   };
 
   /// A pose that the map confirms.
@@ -67,7 +71,7 @@ class Tracker {
   };
 
   Tracked Begin(const FramePtr& raw_frame, const Map& map);
-  Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
+  Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth);
   Tracked StandStill();
   Sought FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
@@ -81,6 +85,8 @@ class Tracker {
   bool IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const;
   bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
+  void CountGone(const Frame& frame, const DepthGrid& depth, const Map& map, const Located& located);
+  std::vector<Keypoint> LeaveOutMovers(FramePtr& frame, const DepthGrid& depth, const Map& map, Fix& fix);
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
   void NoteLoss(const Frame& frame, bool was_refused);
@@ -97,6 +103,7 @@ class Tracker {
   TrackingState state_;
   Confirmed last_;
   MotionModel motion_;
+  MoverFinder movers_;
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
   std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something
