@@ -152,7 +152,7 @@ Scene Composer::Compose(size_t index, const cv::Size& size, const ComposeOptions
   };
   const auto draw_zoom = [&] { return std::exp(random.Uniform(-options.log_scale, options.log_scale)); };
   if (random.Uniform() >= options.mosaic) {
-    Cut cut{cv::Rect(cv::Point(), size), 1.15 * draw_zoom(), random.Uniform() < options.close_up};
+    Cut cut{cv::Rect(cv::Point(), size), options.zoom * draw_zoom(), random.Uniform() < options.close_up};
     if (cut.is_close_up) cut.zoom = std::exp(random.Uniform(std::log(1.3), std::log(options.most_close_up)));
     scene.judged = add(index, cut);
     return scene;
