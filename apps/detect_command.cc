@@ -56,12 +56,31 @@ Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
   const auto most_overlap =
       ReadShare(arguments.most_overlap, "--iou", is_evaluation ? kEvaluationOverlap : options.most_overlap);
   if (!most_overlap) return most_overlap.error();
-  const auto size = ReadPictureSize(arguments.size);
-  if (!size) return size.error();
-  options.width = size->width, options.height = size->height;
+  if (arguments.size && arguments.size->find('x') != std::string::npos) {
+    const auto size = ReadPictureSize(arguments.size);
+    if (!size) return size.error();
+    options.width = size->width, options.height = size->height;
+  }
   options.confidence = is_evaluation ? kLeastConfidence : *confidence;
   options.most_overlap = *most_overlap;
   return options;
+}
+
+/// The network, ready for pictures in their own shape where it can, or of the one size that --size WxH names.
+Result<std::unique_ptr<YoloDetector>> OpenDetector(const DetectArguments& arguments, const DetectionOptions& options) {
+  constexpr long long kLeastSide = 32, kLargestSide = 4096;  // px
+  if (options.width > 0) return YoloDetector::Open(options);
+  long long side = 0;
+  if (arguments.size) {
+    side = ParseInteger(*arguments.size).value_or(0);
+    if (side < kLeastSide || side > kLargestSide)
+      return BadInput("--size " + *arguments.size +
+                      " must be the longer side of pictures, 32 to 4096, or WIDTHxHEIGHT, such as 416 or 320x256");
+  }
+  auto detector = YoloDetector::Open(options);
+  if (!detector) return detector;
+  if (const Status fitted = (*detector)->FitToPictures(static_cast<int>(side)); !fitted) return fitted.error();
+  return detector;
 }
 
 /// The classes of --classes; bad input for one that is not among the known.
@@ -174,7 +193,7 @@ Status DetectAll(const DetectArguments& arguments, const DetectionOptions& optio
   if (arguments.places.empty())
     return BadInput("yorb detect needs a picture, folder, video or sequence, or --evaluate DIR");
   if (arguments.save && arguments.save->empty()) return BadInput("--save is empty; name a folder");
-  auto detector = YoloDetector::Open(options);
+  auto detector = OpenDetector(arguments, options);
   if (!detector) return detector.error();
   auto classes = ClassesOf(arguments, (*detector)->names());
   if (!classes) return classes.error();
@@ -200,7 +219,7 @@ Status EvaluateDetector(const DetectArguments& arguments, const DetectionOptions
   if (arguments.save) return BadInput("--save goes with pictures, not with --evaluate");
   const auto confidence = ReadShare(arguments.confidence, "--conf", DetectionOptions().confidence);
   if (!confidence) return confidence.error();
-  auto detector = YoloDetector::Open(options);
+  auto detector = OpenDetector(arguments, options);
   if (!detector) return detector.error();
   const auto set = ReadLabelledSet(arguments.evaluate, arguments.set);
   if (!set) return set.error();
@@ -235,6 +254,12 @@ void AddDetectCommand(CLI::App& program, Action& action) {
   command->add_option("PLACES", a->places, "Pictures, folders, videos or sequences in TUM layout")
       ->type_name("PICTURE|FOLDER|VIDEO|SEQUENCE");
   command->add_option("--model", a->model, "Any YOLO network as ONNX [models/yolo_mo.onnx]")->type_name("FILE");
+  command
+      ->add_option(
+          "--size", a->size,
+          "What the network looks at: N, the longer side in px, the other as the picture has it; or WxH for all "
+          "[as the network's file says]")
+      ->type_name("N|WxH");
   command->add_option("--conf", a->confidence, "Boxes below this confidence are left out [.25]")->type_name("X");
   command
       ->add_option("--iou", a->most_overlap, "Boxes of one class that overlap more are doubles [.45; --evaluate: .6]")

@@ -48,7 +48,12 @@ ConvNormImpl::ConvNormImpl(const ConvSpec& conv_spec) : spec(conv_spec) {
 torch::Tensor ConvNormImpl::forward(const torch::Tensor& x) {
   const bool is_slow_in_half = spec.groups > 1 && spec.kernel > 3 && IsHalfWidth();
   const torch::Tensor y = is_slow_in_half ? ConvolveInFloat(conv, x) : conv(x);
-  return Activate(bn(y), spec.activation);
+  return Activate(is_folded ? y : bn(y), spec.activation);
+}
+
+void ConvNormImpl::Fold() {
+  is_folded = true;
+  conv->bias = torch::zeros({spec.out}, conv->weight.options().requires_grad(false));
 }
 
 SqueezeExciteImpl::SqueezeExciteImpl(int channels) {

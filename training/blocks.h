@@ -25,7 +25,11 @@ struct ConvNormImpl : torch::nn::Module {
   explicit ConvNormImpl(const ConvSpec& spec);
   torch::Tensor forward(const torch::Tensor& x);
 
+  /// From now on the convolution has a bias (zero) and nothing is normalised: for weights that hold the norm.
+  void Fold();
+
   ConvSpec spec;
+  bool is_folded = false;
   torch::nn::Conv2d conv{nullptr};
   torch::nn::BatchNorm2d bn{nullptr};
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "training/group_boxes.h"
+
 namespace yorb {
 namespace {
 
@@ -144,7 +146,8 @@ Composer::Source Composer::GetSource(size_t index) const {
 Scene Composer::Compose(size_t index, const cv::Size& size, const ComposeOptions& options, Random& random) const {
   Scene scene{cv::Mat(size, CV_8UC3), {}, {}};
   const auto add = [&](size_t picture, const Cut& cut) {
-    const Source source = GetSource(picture);
+    Source source = GetSource(picture);
+    DoubtGroups(source.picture.boxes);
     const Placing placing = DrawPlacing(source.picture, cut, options, random);
     DrawPicture(source.picture.pixels, placing, cut.tile, scene.pixels);
     AddBoxes(source.picture, placing, cut.tile, options, scene.boxes);
@@ -152,7 +155,7 @@ Scene Composer::Compose(size_t index, const cv::Size& size, const ComposeOptions
   };
   const auto draw_zoom = [&] { return std::exp(random.Uniform(-options.log_scale, options.log_scale)); };
   if (random.Uniform() >= options.mosaic) {
-    Cut cut{cv::Rect(cv::Point(), size), 1.15 * draw_zoom(), random.Uniform() < options.close_up};
+    Cut cut{cv::Rect(cv::Point(), size), options.zoom * draw_zoom(), random.Uniform() < options.close_up};
     if (cut.is_close_up) cut.zoom = std::exp(random.Uniform(std::log(1.3), std::log(options.most_close_up)));
     scene.judged = add(index, cut);
     return scene;

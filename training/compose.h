@@ -16,6 +16,7 @@ namespace yorb {
 /// How pictures are put together for training.
 struct ComposeOptions {
   double mosaic = 0.5;            ///< share of pictures that are mosaics of four
+  double zoom = 1;                ///< mean enlargement of single pictures against one that just fits
   double log_scale = 0.5;         ///< half the range of the zoom's logarithm: 0.6 to 1.65
   double log_aspect = 0.12;       ///< half the range of the logarithm of width against height
   double squashed_aspect = 0.35;  ///< the same for pictures that were made square: 4:3 and 3:4 lie within

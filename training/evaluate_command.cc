@@ -41,7 +41,8 @@ Status EvaluatePacks(const EvaluateArguments& arguments) {
     const auto pictures = OpenPacks({path}, kind->table);
     if (!pictures) return pictures.error();
     Print(path,
-          Evaluate(arguments.takes_last ? state.network : state.average, **pictures, phases->back().size, torch::kCPU),
+          Evaluate(arguments.takes_last ? state.network : state.average, **pictures, phases->back().sizes.front(),
+                   torch::kCPU),
           kind->table);
   }
   return Status::Ok();

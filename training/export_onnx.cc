@@ -99,7 +99,7 @@ std::string RowTo(OnnxGraph& graph, const std::string& name, const std::vector<s
 
 }  // namespace
 
-std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size) {
+std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size, int stills_px) {
   const torch::NoGradGuard no_grad;
   const Layout& layout = network->layout;
   OnnxGraph graph;
@@ -129,6 +129,7 @@ std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size&
   graph.Metadata("stride", ListText(layout.strides, number));
   graph.Metadata("anchors", AnchorsText(layout));
   graph.Metadata("imgsz", ListText(std::array<int, 2>{size.height, size.width}, number));
+  if (stills_px > 0) graph.Metadata("stills", std::to_string(stills_px));
   return graph.Bytes(layout.name);
 }
 

@@ -13,7 +13,8 @@ namespace yorb {
 /// A network as the bytes of an ONNX file: input "images" (1, 3, H, W), RGB in [0, 1]; outputs the logits of the three
 /// heads, (1, 3 * (5 + classes), H / stride, W / stride), named "stride8", "stride16" and "stride32". Batch norms and
 /// ImageNet's mean and deviation are folded into the convolutions. The metadata `names`, `stride`, `anchors` (pixels,
-/// one list of three width-height pairs a head) and `imgsz` (height, width) say the rest.
-std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size);
+/// one list of three width-height pairs a head) and `imgsz` (height, width) say the rest,
+/// `stills_px`, where it is not 0, as `stills` the longer side at which single pictures are best looked at.
+std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size, int stills_px = 0);
 
 }  // namespace yorb

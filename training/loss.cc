@@ -19,18 +19,6 @@ torch::Tensor AsRows(const std::vector<float>& values, int64_t columns, const to
   return torch::tensor(values, torch::kFloat32).view({-1, columns}).to(device);
 }
 
-/// Where an assignment's cells stand in a map of shape (B, rows, columns, anchors, ...).
-std::vector<at::indexing::TensorIndex> CellIndex(const Assignment& cells, const torch::Device& device) {
-  return {AsIndex(cells.picture, device), AsIndex(cells.row, device), AsIndex(cells.column, device),
-          AsIndex(cells.anchor, device)};
-}
-
-/// Boxes of logits: a centre reaches half a cell beyond its own, a side up to four times its anchor's.
-torch::Tensor DecodeAtCells(const torch::Tensor& logits, const torch::Tensor& anchors) {
-  const torch::Tensor part = logits.slice(1, 0, 4).sigmoid() * 2;
-  return torch::cat({part.slice(1, 0, 2) - 0.5, part.slice(1, 2, 4).square() * anchors}, 1);
-}
-
 /// 0 where the network sees a class that the picture is not judged for, more than any that it is; 1 elsewhere.
 torch::Tensor BackgroundWeights(const torch::Tensor& map, const torch::Tensor& judged) {
   const torch::NoGradGuard no_grad;
@@ -74,6 +62,20 @@ LevelLoss LossOfLevel(const torch::Tensor& map, const LevelAssignment& level, co
 
 }  // namespace
 
+torch::Tensor ByCells(const torch::Tensor& map) {
+  return map.permute({0, 2, 3, 1}).reshape({map.size(0), map.size(2), map.size(3), 3, -1}).to(torch::kFloat32);
+}
+
+std::vector<at::indexing::TensorIndex> CellIndex(const Assignment& cells, const torch::Device& device) {
+  return {AsIndex(cells.picture, device), AsIndex(cells.row, device), AsIndex(cells.column, device),
+          AsIndex(cells.anchor, device)};
+}
+
+torch::Tensor DecodeAtCells(const torch::Tensor& logits, const torch::Tensor& anchors) {
+  const torch::Tensor part = logits.slice(1, 0, 4).sigmoid() * 2;
+  return torch::cat({part.slice(1, 0, 2) - 0.5, part.slice(1, 2, 4).square() * anchors}, 1);
+}
+
 torch::Tensor CompleteIou(const torch::Tensor& a, const torch::Tensor& b) {
   const double epsilon = 1e-7;
   const torch::Tensor a_center = a.slice(1, 0, 2), b_center = b.slice(1, 0, 2);
@@ -99,13 +101,10 @@ Loss DetectionLoss(const std::array<torch::Tensor, 3>& maps, const Batch& batch,
   torch::Tensor sum;
   const double num_pictures = static_cast<double>(batch.pictures.size(0));
   for (size_t i = 0; i < maps.size(); ++i) {
-    const torch::Tensor& raw = maps[i];
-    const int64_t rows = raw.size(2), columns = raw.size(3);
-    const torch::Tensor map =
-        raw.permute({0, 2, 3, 1}).reshape({raw.size(0), rows, columns, 3, -1}).to(torch::kFloat32);
+    const torch::Tensor map = ByCells(maps[i]);
     const LevelAssignment level = AssignAnchors(batch.targets, layout.anchors[i], layout.strides[i],
-                                                static_cast<int>(rows), static_cast<int>(columns));
-    const LevelLoss part = LossOfLevel(map, level, batch.judged.to(raw.device()));
+                                                static_cast<int>(map.size(1)), static_cast<int>(map.size(2)));
+    const LevelLoss part = LossOfLevel(map, level, batch.judged.to(map.device()));
     const double balance = options.level_objectness[i] * options.objectness;
     const torch::Tensor total = part.box * options.box + part.objectness * balance + part.classes * options.classes;
     sum = sum.defined() ? sum + total : total;

@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "training/assign.h"
 #include "training/batch.h"
 #include "training/layout.h"
 
@@ -22,7 +23,7 @@ struct LossOptions {
 /// The loss of a batch and its parts, each a mean over the batch.
 struct Loss {
   torch::Tensor total;  ///< times the batch size: what is differentiated
-  double box = 0, objectness = 0, classes = 0;
+  double box = 0, objectness = 0, classes = 0, teacher = 0;
 };
 
 /// YOLOv5's loss (CIoU of boxes, binary cross entropies of objectness and classes) with two additions for truth that is
@@ -30,6 +31,16 @@ struct Loss {
 /// sees such a class, the cell is no background.
 Loss DetectionLoss(const std::array<torch::Tensor, 3>& maps, const Batch& batch, const Layout& layout,
                    const LossOptions& options);
+
+/// A head's map (B, 3 * (5 + classes), rows, columns) as floats (B, rows, columns, anchors, 5 + classes).
+torch::Tensor ByCells(const torch::Tensor& map);
+
+/// Where an assignment's cells stand in such a map.
+std::vector<at::indexing::TensorIndex> CellIndex(const Assignment& cells, const torch::Device& device);
+
+/// Boxes (n, 4), centre from the cell's corner, width, height in cells, of logits (n, 4 or more): a centre reaches half
+/// a cell beyond its own, a side up to four times its anchor's.
+torch::Tensor DecodeAtCells(const torch::Tensor& logits, const torch::Tensor& anchors);
 
 /// Complete IoU of boxes (n, 4) as centre x, y, width, height; the weight of its aspect term is held constant.
 torch::Tensor CompleteIou(const torch::Tensor& a, const torch::Tensor& b);

@@ -26,13 +26,13 @@ struct Fixture {
     options.out = folder.Path();
     options.schedule.num_steps = num_steps;
     options.schedule.num_warmup_steps = 5;
-    options.schedule.phases = {{1, {128, 96}}};
+    options.schedule.phases = {{1, {{128, 96}}}};
     loader.batch_size = 8;
     loader.is_augmented = false;
   }
 
   Loader MakeLoader() const {
-    const cv::Size size = options.schedule.phases.back().size;
+    const cv::Size size = options.schedule.phases.back().sizes.front();
     return Loader(pictures, {}, kTable, loader, [size](int64_t) { return size; });
   }
 };
@@ -109,7 +109,7 @@ TEST(Schedule, WarmsUpAndFallsAsACosine) {
   ScheduleOptions options;
   options.num_steps = 1000;
   options.num_warmup_steps = 100;
-  options.phases = *ParseSizePhases("64x64:0.5,128x96");
+  options.phases = *ParseSizePhases("64x64:0.5,128x96+96x128");
   const Schedule schedule(options, 0);
   EXPECT_NEAR(schedule.Rate(0), 0.01, 1e-3);
   EXPECT_GT(schedule.Rate(100), 0.95);
@@ -117,6 +117,7 @@ TEST(Schedule, WarmsUpAndFallsAsACosine) {
   EXPECT_NEAR(schedule.Rate(1000), 0.02, 1e-9);
   EXPECT_EQ(schedule.SizeAt(499), cv::Size(64, 64));
   EXPECT_EQ(schedule.SizeAt(500), cv::Size(128, 96));
+  EXPECT_EQ(schedule.SizeAt(501), cv::Size(96, 128));
   for (const char* bad : {"320", "320x250", "64x64:0.5,64x64:0.4", "0x32", "64x64:2"})
     EXPECT_FALSE(ParseSizePhases(bad).ok()) << bad;
 }

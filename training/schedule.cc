@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/text.h"
 
@@ -12,25 +13,39 @@ namespace {
 
 constexpr long long kLargestSide = 1280;
 
+std::optional<cv::Size> ParseSize(std::string_view text) {
+  const std::vector<std::string_view> sides = SplitAt(text, 'x');
+  if (sides.size() != 2) return std::nullopt;
+  const auto width = ParseInteger(sides.front()), height = ParseInteger(sides.back());
+  const auto is_side = [](const auto& side) { return side && *side >= 32 && *side <= kLargestSide && *side % 32 == 0; };
+  if (!is_side(width) || !is_side(height)) return std::nullopt;
+  return cv::Size(static_cast<int>(*width), static_cast<int>(*height));
+}
+
+std::optional<SizePhase> ParsePhase(std::string_view text) {
+  const std::vector<std::string_view> parts = SplitAt(text, ':');
+  const auto until = parts.size() == 2 ? ParseDouble(parts[1]) : std::optional<double>(1.0);
+  if (parts.size() > 2 || !until || !(*until > 0) || *until > 1) return std::nullopt;
+  SizePhase phase{*until, {}};
+  for (const std::string_view word : SplitAt(parts.front(), '+')) {
+    const std::optional<cv::Size> size = ParseSize(word);
+    if (!size) return std::nullopt;
+    phase.sizes.push_back(*size);
+  }
+  return phase;
+}
+
 }  // namespace
 
 Result<std::vector<SizePhase>> ParseSizePhases(const std::string& text) {
   std::vector<SizePhase> phases;
   for (const std::string_view field : SplitAt(text, ',')) {
-    const std::vector<std::string_view> parts = SplitAt(field, ':');
-    const std::vector<std::string_view> sides = SplitAt(parts.front(), 'x');
-    const auto width = ParseInteger(sides.front()), height = ParseInteger(sides.back());
-    const auto until = parts.size() == 2 ? ParseDouble(parts[1]) : std::optional<double>(1.0);
-    const auto is_side = [](const auto& side) {
-      return side && *side >= 32 && *side <= kLargestSide && *side % 32 == 0;
-    };
-    const double last = phases.empty() ? 0 : phases.back().until;
-    if (parts.size() > 2 || sides.size() != 2 || !is_side(width) || !is_side(height) || !until || !(*until > last) ||
-        *until > 1)
+    const std::optional<SizePhase> phase = ParsePhase(field);
+    if (!phase || (!phases.empty() && phase->until <= phases.back().until))
       return BadInput("the size '" + OneLine(field) +
-                      "' is none such as 320x256 (multiples of 32) or 224x192:0.4 (used until "
-                      "0.4 of the training is done)");
-    phases.push_back({*until, cv::Size(static_cast<int>(*width), static_cast<int>(*height))});
+                      "' is none such as 320x256 (multiples of 32), 320x256+320x320 (in turn) or 224x192:0.4 (used "
+                      "until 0.4 of the training is done)");
+    phases.push_back(*phase);
   }
   phases.back().until = 1;
   return phases;
@@ -53,7 +68,8 @@ cv::Size Schedule::SizeAt(int64_t step) const {
   const double progress = Progress(step);
   const auto phase = std::find_if(options_.phases.begin(), options_.phases.end(),
                                   [&](const SizePhase& p) { return progress < p.until; });
-  return phase != options_.phases.end() ? phase->size : options_.phases.back().size;
+  const std::vector<cv::Size>& sizes = phase != options_.phases.end() ? phase->sizes : options_.phases.back().sizes;
+  return sizes[static_cast<size_t>(step) % sizes.size()];
 }
 
 }  // namespace yorb

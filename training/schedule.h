@@ -11,13 +11,14 @@
 
 namespace yorb {
 
-/// A size of the network's input, used until a part of the training is done.
+/// Sizes of the network's input, used until a part of the training is done.
 struct SizePhase {
-  double until = 1;  ///< part of the training, 0 to 1
-  cv::Size size{320, 256};
+  double until = 1;                         ///< part of the training, 0 to 1
+  std::vector<cv::Size> sizes{{320, 256}};  ///< in turn, batch by batch; measured at the first
 };
 
-/// Reads "224x192:0.4,320x256": sizes in multiples of 32 and the part of the training at which each ends.
+/// Reads "224x192:0.4,320x256+416x320": sizes in multiples of 32, those that take turns joined by +, and the part of
+/// the training at which each phase ends.
 Result<std::vector<SizePhase>> ParseSizePhases(const std::string& text);
 
 struct ScheduleOptions {

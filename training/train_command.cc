@@ -19,7 +19,7 @@ namespace yorb {
 namespace {
 
 struct TrainArguments {
-  std::string network = "yolo-mo", classes, backbone, people, out, sizes = "320x256", device = "cpu";
+  std::string network = "yolo-mo", classes, backbone, weights, teacher, people, out, sizes = "320x256", device = "cpu";
   std::vector<std::string> packs, watched;
   double epochs = 0, minutes = 0;
   int num_threads = 1;
@@ -67,6 +67,7 @@ Status Begin(const TrainArguments& arguments, TrainState& state) {
       return BadInput(checkpoint + ": is there already; --resume goes on with it, another --out begins anew");
     return LoadCheckpoint(checkpoint, state);
   }
+  if (!arguments.weights.empty()) return BeginFrom(arguments.weights, state);
   if (arguments.backbone.empty()) return Status::Ok();
   if (const Status loaded = LoadBackbone(arguments.backbone, state.network); !loaded) return loaded;
   return LoadBackbone(arguments.backbone, state.average);
@@ -74,10 +75,12 @@ Status Begin(const TrainArguments& arguments, TrainState& state) {
 
 void ShowProgress(const TrainReport& report) {
   const double left_s = report.progress > 0 ? report.seconds / report.progress * (1 - report.progress) : 0;
-  std::printf("%5.1f %%  step %lld  %dx%d  %.1f pictures/s  box %.4f  objectness %.4f  classes %.4f  %d min left\n",
-              100 * report.progress, static_cast<long long>(report.step), report.size.width, report.size.height,
-              report.pictures_per_second, report.box, report.objectness, report.classes,
-              static_cast<int>(std::lround(left_s / 60)));
+  std::printf(
+      "%5.1f %%  step %lld  %dx%d  %.1f pictures/s  box %.4f  objectness %.4f  classes %.4f  teacher %.4f  %d min "
+      "left\n",
+      100 * report.progress, static_cast<long long>(report.step), report.size.width, report.size.height,
+      report.pictures_per_second, report.box, report.objectness, report.classes, report.teacher,
+      static_cast<int>(std::lround(left_s / 60)));
   std::fflush(stdout);
 }
 
@@ -98,8 +101,14 @@ Status Train(const TrainArguments& arguments) {
   if (!table) return table.error();
   const auto pictures = OpenPacks(arguments.packs, *table);
   if (!pictures) return pictures.error();
-  const Result<TrainerOptions> options = MakeTrainerOptions(arguments, (*pictures)->size());
+  Result<TrainerOptions> options = MakeTrainerOptions(arguments, (*pictures)->size());
   if (!options) return options.error();
+  if (!arguments.teacher.empty()) {
+    Result<Teacher> teacher = ReadTeacher(arguments.teacher, *table);
+    if (!teacher) return teacher.error();
+    teacher->network->to(options->device);
+    options->teacher = *teacher;
+  }
   std::vector<cv::Mat> cutouts;
   if (!arguments.people.empty()) {
     const auto read = ReadCutouts(arguments.people);
@@ -119,7 +128,7 @@ Status Train(const TrainArguments& arguments) {
   if (const Status begun = Begin(arguments, state); !begun) return begun;
   std::printf("%s, %d classes, %zu pictures, from step %lld\n", arguments.network.c_str(), table->size(),
               (*pictures)->size(), static_cast<long long>(state.step));
-  ShowAnchors(**pictures, state.network->layout, options->schedule.phases.back().size);
+  ShowAnchors(**pictures, state.network->layout, options->schedule.phases.back().sizes.front());
   const Schedule schedule(options->schedule, state.seconds);
   Loader loader(*pictures, cutouts, *table, arguments.loader,
                 [schedule](int64_t step) { return schedule.SizeAt(step); });
@@ -131,7 +140,7 @@ Status Train(const TrainArguments& arguments) {
 void AddLearningOptions(CLI::App& command, TrainArguments& arguments) {
   command
       .add_option("--sizes", arguments.sizes,
-                  "Input size, or sizes with the part of the training that each lasts: "
+                  "Input size; sizes in turn: 320x256+416x320; or with the part of the training that they last: "
                   "224x192:0.4,320x256")
       ->capture_default_str();
   command.add_option("--batch", arguments.loader.batch_size, "Pictures a step")
@@ -145,6 +154,11 @@ void AddLearningOptions(CLI::App& command, TrainArguments& arguments) {
       ->capture_default_str();
   command.add_option("--mosaic", arguments.loader.compose.mosaic, "Share of pictures put together of four")
       ->capture_default_str();
+  command
+      .add_option("--close-ups", arguments.loader.compose.close_up,
+                  "Share of the other pictures that look closely at one thing")
+      ->capture_default_str();
+  command.add_option("--zoom", arguments.loader.compose.zoom, "Mean enlargement of the others")->capture_default_str();
   command.add_option("--paste", arguments.loader.people.share, "Share of pictures into which people are pasted")
       ->capture_default_str();
   command.add_option("--warmup", arguments.trainer.schedule.num_warmup_steps, "Steps of rising learning rate")
@@ -165,6 +179,12 @@ void AddTrainCommand(CLI::App& program, Action& action) {
       ->check(CLI::IsMember(LayoutNames()))
       ->capture_default_str();
   command->add_option("--backbone", arguments->backbone, "ImageNet weights to begin from (TorchScript archive)");
+  command->add_option("--weights", arguments->weights, "A checkpoint whose averaged weights to begin from");
+  command->add_option("--teacher", arguments->teacher,
+                      "A YOLOv5n or YOLOv5s (ONNX, three heads) to learn from as well");
+  command->add_option("--teacher-weight", arguments->trainer.teacher_weight, "Its weight against the truth's")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
   command->add_option("--people", arguments->people, "Folder of cut-outs of people to paste");
   command->add_option("--watch", arguments->watched, "Packs to measure on now and then");
   command->add_option("--epochs", arguments->epochs, "Length of the training in rounds through all pictures");

@@ -154,4 +154,18 @@ Status LoadCheckpoint(const std::string& path, TrainState& state) {
   return Status::Ok();
 }
 
+Status BeginFrom(const std::string& path, TrainState& state) {
+  TrainState other(state.network->layout, state.table, state.options);
+  if (const Status loaded = LoadCheckpoint(path, other); !loaded) return loaded;
+  const torch::NoGradGuard no_grad;
+  for (Network& network : {std::ref(state.network), std::ref(state.average)}) {
+    const auto copy = [](const std::vector<torch::Tensor>& from, const std::vector<torch::Tensor>& to) {
+      for (size_t i = 0; i < to.size(); ++i) to[i].detach().copy_(from[i]);
+    };
+    copy(other.average->parameters(), network->parameters());
+    copy(other.average->buffers(), network->buffers());
+  }
+  return Status::Ok();
+}
+
 }  // namespace yorb

@@ -45,6 +45,9 @@ Status SaveCheckpoint(const std::string& path, TrainState& state);
 /// Reads a checkpoint. Bad input when it is none, or one of another network than `state` holds.
 Status LoadCheckpoint(const std::string& path, TrainState& state);
 
+/// Begins anew from the averaged weights of a checkpoint. Bad input as above.
+Status BeginFrom(const std::string& path, TrainState& state);
+
 /// What a checkpoint is of.
 struct CheckpointKind {
   std::string layout;

@@ -34,6 +34,7 @@ void Add(const Loss& loss, TrainReport& sum) {
   sum.box += loss.box;
   sum.objectness += loss.objectness;
   sum.classes += loss.classes;
+  sum.teacher += loss.teacher;
   ++sum.num_steps;
 }
 
@@ -43,6 +44,7 @@ TrainReport Mean(TrainReport sum) {
   sum.box /= count;
   sum.objectness /= count;
   sum.classes /= count;
+  sum.teacher /= count;
   return sum;
 }
 
@@ -62,11 +64,28 @@ Trainer::Trainer(TrainState& state, Loader loader, std::vector<WatchedSet> watch
       options_(options),
       schedule_(options.schedule, state.seconds) {}
 
+Loss Trainer::LossOf(const Batch& batch) {
+  const torch::Tensor input = ToInput(batch.pictures, options_.device);
+  const auto maps = Forward(state_.network, input, options_.is_half_wide);
+  const Layout& layout = state_.network->layout;
+  Loss loss = DetectionLoss(maps, batch, layout, options_.loss);
+  if (!options_.teacher) return loss;
+  std::array<torch::Tensor, 3> taught;
+  {
+    const torch::NoGradGuard no_grad;
+    taught = Forward(options_.teacher->network, input, options_.is_half_wide);
+  }
+  const torch::Tensor term =
+      options_.teacher_weight * DistillationLoss(maps, taught, batch, layout, *options_.teacher, options_.loss);
+  loss.teacher = term.item<double>() / static_cast<double>(batch.pictures.size(0));
+  loss.total = loss.total + term;
+  return loss;
+}
+
 Loss Trainer::Step(const Batch& batch, double rate) {
   state_.network->train();
   SetRate(state_, rate);
-  const auto maps = Forward(state_.network, ToInput(batch.pictures, options_.device), options_.is_half_wide);
-  const Loss loss = DetectionLoss(maps, batch, state_.network->layout, options_.loss);
+  const Loss loss = LossOf(batch);
   state_.optimizer->zero_grad();
   loss.total.backward();
   torch::nn::utils::clip_grad_norm_(state_.network->parameters(), kMostGradient);
@@ -80,13 +99,14 @@ Status Trainer::Report(const TrainReport& r) {
   std::vector<std::string> fields{std::to_string(r.step)};
   for (const double value : {r.progress, r.seconds, r.pictures_per_second}) fields.push_back(FormatFixed(value, 4));
   fields.push_back(std::to_string(r.size.width).append("x").append(std::to_string(r.size.height)));
-  for (const double value : {r.rate, r.box, r.objectness, r.classes}) fields.push_back(FormatFixed(value, 6));
+  for (const double value : {r.rate, r.box, r.objectness, r.classes, r.teacher})
+    fields.push_back(FormatFixed(value, 6));
   return AppendLine(options_.out + "/train.csv",
-                    "step,progress,seconds,pictures_per_second,size,rate,box,objectness,classes", fields);
+                    "step,progress,seconds,pictures_per_second,size,rate,box,objectness,classes,teacher", fields);
 }
 
 Status Trainer::EvaluateAll() {
-  const cv::Size size = options_.schedule.phases.back().size;
+  const cv::Size size = options_.schedule.phases.back().sizes.front();
   for (const WatchedSet& set : watched_) {
     const Evaluation scores = Evaluate(state_.average, *set.pictures, size, options_.device);
     double person = 0;

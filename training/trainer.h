@@ -6,10 +6,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/result.h"
+#include "training/distill.h"
 #include "training/evaluate.h"
 #include "training/loader.h"
 #include "training/loss.h"
@@ -27,7 +29,9 @@ struct WatchedSet {
 struct TrainerOptions {
   ScheduleOptions schedule;
   LossOptions loss;
-  std::string out;  ///< folder for checkpoints and logs
+  std::optional<Teacher> teacher;
+  double teacher_weight = 1;  ///< of what the teacher says, against the truth
+  std::string out;            ///< folder for checkpoints and logs
   double save_every_s = 120;
   double evaluate_every_s = 900;
   torch::Device device = torch::kCPU;
@@ -42,7 +46,7 @@ struct TrainReport {
   double progress = 0, seconds = 0, pictures_per_second = 0;
   cv::Size size;
   double rate = 0;
-  double box = 0, objectness = 0, classes = 0;
+  double box = 0, objectness = 0, classes = 0, teacher = 0;
 };
 
 /// Trains until the schedule ends, or `should_stop` says so; then the checkpoint OUT/last.pt is written. The log grows
@@ -56,6 +60,7 @@ class Trainer {
 
  private:
   Loss Step(const Batch& batch, double rate);
+  Loss LossOf(const Batch& batch);
   Status EvaluateAll();
   Status Report(const TrainReport& report);
 

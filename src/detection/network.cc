@@ -105,6 +105,12 @@ int KeypointValues(const OnnxModel& model) {
   return static_cast<int>(shape[0] * shape[1]);
 }
 
+/// `stills`: a whole number of pixels; anything else says nothing.
+int StillsSide(const OnnxModel& model) {
+  const std::vector<double> side = NumbersIn(Metadata(model, "stills"));
+  return side.size() == 1 && side[0] >= kCellSize && side[0] <= kLargestSize ? static_cast<int>(side[0]) : 0;
+}
+
 /// The producers of values, by the values' names.
 const OnnxNode* MakerOf(const OnnxModel& model, const std::string& value) {
   for (const OnnxNode& node : model.nodes) {
@@ -140,6 +146,7 @@ Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {
   auto anchors = AnchorsOf(*model);
   if (!anchors) return named(anchors.error());
   network.anchors = *std::move(anchors);
+  network.stills_px = StillsSide(*model);
   network.num_keypoint_values = KeypointValues(*model);
   network.model = *std::move(model);
   return network;

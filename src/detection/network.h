@@ -18,6 +18,7 @@ struct Network {
   std::vector<std::string> names;  ///< of the classes; empty where nothing says them
   std::string names_source;        ///< "its metadata", a file's name
   std::vector<float> anchors;      ///< of raw maps, px; empty: the standard ones
+  int stills_px = 0;               ///< longer side at which it sees single pictures best; 0: not known
   int num_keypoint_values = 0;     ///< of a pose network, behind its classes
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection/yolo_detector.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -11,21 +12,11 @@
 #include "detection/class_names.h"
 #include "detection/head_layout.h"
 #include "detection/letterbox.h"
-#include "detection/make_engine.h"
 
 namespace yorb {
 namespace {
 
 constexpr size_t kMostBoxes = 300;  // a picture
-
-HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network) {
-  HeadFacts facts;
-  for (const TensorView& output : outputs) facts.shapes.push_back(output.dims);
-  facts.width = network.input.width, facts.height = network.input.height;
-  facts.num_names = static_cast<int>(network.names.size());
-  facts.num_keypoint_values = network.num_keypoint_values;
-  return facts;
-}
 
 /// The names of the classes where the file has none: COCO's for 80, else numbers, with a warning.
 void NameClasses(int num_classes, Network& network) {
@@ -89,41 +80,27 @@ Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions&
   if (!path) return path.error();
   auto network = OpenNetwork(*path, {options.width, options.height});
   if (!network) return network.error();
-  auto engine = MakeEngine(network->model, network->input, options);
-  if (!engine) return engine.error();
-
-  // A picture of nothing: only a run shows all shapes, and engines set themselves up in the first one.
-  const cv::Mat blank(network->input.height, network->input.width, network->input.channels == 1 ? CV_8UC1 : CV_8UC3,
-                      cv::Scalar::all(114));
-  const auto outputs = (*engine)->Run(blank);
-  if (!outputs) return outputs.error();
-  const HeadFacts facts = FactsOf(*outputs, *network);
-  const auto layout = RecogniseLayout(facts);
-  if (!layout) return BadInput(*path + " " + layout.error().message);
-  NameClasses(layout->num_classes, *network);
+  auto shaped = MakeShapedEngine(*network, options);
+  if (!shaped) return shaped.error();
+  const HeadLayout& layout = shaped->layout;
+  const HeadFacts facts = FactsOf(shaped->blank_outputs, *network);
+  NameClasses(layout.num_classes, *network);
 
   std::unique_ptr<YoloDetector> detector(new YoloDetector());
-  detector->layout_ = *layout;
+  detector->options_ = options;
   detector->decode_.confidence = options.confidence;
-  detector->decode_.is_logits = AreLogits(*network, *layout, *outputs);
+  detector->decode_.is_logits = AreLogits(*network, layout, shaped->blank_outputs);
   detector->decode_.anchors = network->anchors.empty() ? StandardAnchors() : network->anchors;
-  if (detector->decode_.anchors.size() < 6 * layout->maps.size())
-    return BadInput(*path + " has " + std::to_string(layout->maps.size()) +
+  if (detector->decode_.anchors.size() < 6 * layout.maps.size())
+    return BadInput(*path + " has " + std::to_string(layout.maps.size()) +
                     " raw maps and too few anchors in its metadata");
-  for (const RawMap& map : layout->maps) {
-    if (map.anchor_axis != 0) continue;
-    const int64_t num_channels = (*outputs)[map.output].dims[static_cast<size_t>(map.value_axis)];
-    const ObjectnessRead read = ObjectnessOf(num_channels, detector->decode_);
-    (*engine)->ReadOnly({map.output, read.channels, read.least});
-  }
-  detector->most_overlap_ = options.most_overlap;
-  detector->input_ = network->input;
   detector->names_ = network->names;
-  detector->engine_ = *std::move(engine);
-  LogInfo(*path + ": " + LayoutText(*layout, facts) + (detector->decode_.is_logits ? " of logits" : "") + ", input " +
+  LogInfo(*path + ": " + LayoutText(layout, facts) + (detector->decode_.is_logits ? " of logits" : "") + ", input " +
           std::to_string(facts.width) + "x" + std::to_string(facts.height) + ", " +
           std::to_string(detector->names_.size()) + " classes named by " + network->names_source + ", run by " +
-          detector->engine_->name());
+          shaped->engine->name());
+  detector->ReadOnlyWhatCounts(*shaped);
+  detector->own_ = *std::move(shaped);
   return detector;
 }
 
@@ -132,13 +109,64 @@ std::string YoloDetector::NameOf(int label) const {
   return index < names_.size() ? names_[index] : "class" + std::to_string(label);
 }
 
+void YoloDetector::ReadOnlyWhatCounts(ShapedEngine& shaped) const {
+  for (const RawMap& map : shaped.layout.maps) {
+    if (map.anchor_axis != 0) continue;
+    const int64_t num_channels = shaped.blank_outputs[map.output].dims[static_cast<size_t>(map.value_axis)];
+    const ObjectnessRead read = ObjectnessOf(num_channels, decode_);
+    shaped.engine->ReadOnly({map.output, read.channels, read.least});
+  }
+}
+
+Status YoloDetector::FitToPictures(int long_side_px) {
+  auto network = OpenNetwork(own_.input.path, {});
+  if (!network) return network.error();
+  const bool is_asked_for = long_side_px > 0;
+  if (!is_asked_for) long_side_px = network->stills_px;
+  if (long_side_px == 0) return Status::Ok();
+  long_side_px_ = long_side_px;
+  options_.engine = own_.engine->name() == "OpenCV DNN" ? "opencv" : "xnnpack";  // those that do not mind the size
+  if (own_.layout.kind == LayoutKind::kRawMaps) stills_ = *std::move(network);
+  if (stills_ && EngineFor({long_side_px, long_side_px})) {
+    LogInfo(own_.input.path + ": pictures are looked at in their own shape, the longer side of " +
+            std::to_string(long_side_px) + " px");
+    return Status::Ok();
+  }
+  stills_.reset();
+  if (!is_asked_for) return Status::Ok();
+  return BadInput(own_.input.path + " runs at its own size of " + std::to_string(own_.input.width) + "x" +
+                  std::to_string(own_.input.height) + " alone; leave --size out, or export the network with another");
+}
+
+Result<ShapedEngine*> YoloDetector::EngineFor(const cv::Size& picture) {
+  constexpr size_t kMostEngines = 8;
+  if (!stills_) return &own_;
+  const cv::Size size = InputSizeFor(picture, long_side_px_);
+  if (size == own_.size()) return &own_;
+  const auto found =
+      std::find_if(others_.begin(), others_.end(), [&](const ShapedEngine& other) { return other.size() == size; });
+  if (found != others_.end()) return &*found;
+  stills_->input.width = size.width, stills_->input.height = size.height;
+  auto made = MakeShapedEngine(*stills_, options_);
+  if (!made) return made.error();
+  if (made->layout.kind != own_.layout.kind || made->layout.num_classes != own_.layout.num_classes)
+    return BadInput(own_.input.path + " gives something else at another size");
+  if (others_.size() == kMostEngines) others_.erase(others_.begin());
+  ReadOnlyWhatCounts(*made);
+  others_.push_back(*std::move(made));
+  return &others_.back();
+}
+
 Result<Detections> YoloDetector::Detect(const ImageSet& images) {
-  const Letterbox fit = FitLetterbox(images.grey.size(), input_size());
-  const auto outputs = engine_->Run(InputOf(images, fit, input_.channels));
+  const auto shaped = EngineFor(images.grey.size());
+  if (!shaped) return shaped.error();
+  const auto& [input, engine, layout, blank_outputs] = **shaped;
+  const Letterbox fit = FitLetterbox(images.grey.size(), (*shaped)->size());
+  const auto outputs = engine->Run(InputOf(images, fit, input.channels));
   if (!outputs) return outputs.error();
-  const double most_overlap = layout_.kind == LayoutKind::kCornerRows ? 1.0 : most_overlap_;
+  const double most_overlap = layout.kind == LayoutKind::kCornerRows ? 1.0 : options_.most_overlap;
   Detections detections;
-  for (const RawBox& raw : SuppressDoubles(DecodeBoxes(*outputs, layout_, decode_), most_overlap, kMostBoxes)) {
+  for (const RawBox& raw : SuppressDoubles(DecodeBoxes(*outputs, layout, decode_), most_overlap, kMostBoxes)) {
     const Box whole{NameOf(raw.label),         raw.confidence,
                     fit.ToPictureX(raw.left),  fit.ToPictureY(raw.top),
                     fit.ToPictureX(raw.right), fit.ToPictureY(raw.bottom)};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "detection/detector.h"
 #include "detection/engine.h"
 #include "detection/network.h"
+#include "detection/shaped_engine.h"
 
 namespace yorb {
 
@@ -26,10 +28,15 @@ class YoloDetector : public Detector {
   const std::vector<std::string>& names() const { return names_; }
 
   /// "XNNPACK", "OpenCV DNN": which engine runs it.
-  std::string engine_name() const { return engine_->name(); }
+  std::string engine_name() const { return own_.engine->name(); }
 
-  /// Of the network's input, px.
-  cv::Size input_size() const { return {input_.width, input_.height}; }
+  /// Of the network's input, px, as it was opened.
+  cv::Size input_size() const { return own_.size(); }
+
+  /// From now on each picture is looked at in its own shape, scaled so that its longer side is `long_side_px` (0: as
+  /// many as the file names under `stills`; where it names none, nothing changes). For stills: each shape costs an
+  /// engine. Bad input where the network runs at its own size alone.
+  Status FitToPictures(int long_side_px);
 
   /// Every class of a box that reaches the confidence makes a box of its own, as evaluations of many classes want it.
   void TakeAllClasses() { decode_.takes_all_classes = true; }
@@ -39,11 +46,18 @@ class YoloDetector : public Detector {
 
   std::string NameOf(int label) const;
 
-  EngineInput input_;
-  std::unique_ptr<Engine> engine_;
-  HeadLayout layout_;
+  /// Tells an engine what of its outputs is decoded: where objectness is too low, nothing else.
+  void ReadOnlyWhatCounts(ShapedEngine& shaped) const;
+
+  /// The engine for a picture of this size.
+  Result<ShapedEngine*> EngineFor(const cv::Size& picture);
+
+  DetectionOptions options_;
+  ShapedEngine own_;               // of the size that the network was opened with
+  std::optional<Network> stills_;  // what engines of other sizes are made of
+  int long_side_px_ = 0;           // of a picture that is looked at in its own shape
+  std::vector<ShapedEngine> others_;
   DecodeOptions decode_;
-  double most_overlap_ = 0;
   std::vector<std::string> names_;
 };
 
