@@ -19,6 +19,12 @@ bool IsOneSurface(float nearest, float farthest) {
   return farthest < kFarthest && farthest - nearest < kBase + kSlope * farthest;
 }
 
+/// Whether a pixel of a picture is marked in a mask of another scale.
+bool IsMarked(const cv::Mat& mask, const cv::Point& pixel, const cv::Size& size) {
+  if (mask.empty()) return false;
+  return mask.at<uint8_t>(pixel.y * mask.rows / size.height, pixel.x * mask.cols / size.width) != 0;
+}
+
 /// Up to where a cell and all about it are free: the least of nine.
 std::vector<float> FreeOf(const std::vector<float>& nearest, int columns, int rows) {
   std::vector<float> free(nearest.size(), 0.f);
@@ -62,7 +68,7 @@ DepthGridMaker::DepthGridMaker(const Rig& rig)
   }
 }
 
-DepthGrid DepthGridMaker::Make(const DepthImage& depth) const {
+DepthGrid DepthGridMaker::Make(const DepthImage& depth, const cv::Mat& moving) const {
   DepthGrid grid;
   if (depth.empty() || depth.pixels.cols != width_ || depth.pixels.rows != height_) return grid;
   grid.columns = columns_;
@@ -74,7 +80,7 @@ DepthGrid DepthGridMaker::Make(const DepthImage& depth) const {
     int num_measured = 0;
     for (size_t i = kSamples * cell; i < kSamples * (cell + 1); ++i) {
       const float metres = depth.At(pixels_[i].x, pixels_[i].y);
-      if (metres <= 0) continue;
+      if (metres <= 0 || IsMarked(moving, pixels_[i], depth.pixels.size())) continue;
       ++num_measured;
       least = std::min(least, metres);
       most = std::max(most, metres);

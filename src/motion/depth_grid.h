@@ -37,8 +37,9 @@ class DepthGridMaker {
  public:
   explicit DepthGridMaker(const Rig& rig);
 
-  /// Empty where there is no depth picture of the rig's size.
-  DepthGrid Make(const DepthImage& depth) const;
+  /// Empty where there is no depth picture of the rig's size. Pixels of what is known to move count as not measured;
+  /// `moving`: CV_8UC1 at any scale, not 0 there; may be empty.
+  DepthGrid Make(const DepthImage& depth, const cv::Mat& moving = {}) const;
 
  private:
   static constexpr int kSamples = 4;  ///< pixels that are read in a cell

@@ -35,6 +35,16 @@ TEST(DepthGrid, HasASurfaceButNotWhereAnEdgeRunsThrough) {
   EXPECT_EQ(grid.surface[Cell(grid, 100, 220)], 0);
 }
 
+TEST(DepthGrid, LeavesOutWhatIsKnownToMove) {
+  const Rig rig = DepthTestRig();
+  cv::Mat moving = cv::Mat::zeros(60, 80, CV_8UC1);  // a quarter of the picture's size
+  moving(cv::Rect(20, 10, 10, 10)).setTo(1);
+  const DepthGrid grid = DepthGridMaker(rig).Make(Depth(rig, 2), moving);
+  EXPECT_EQ(grid.surface[Cell(grid, 100, 60)], 0);
+  EXPECT_EQ(grid.free[Cell(grid, 100, 60)], 0);
+  EXPECT_FLOAT_EQ(grid.surface[Cell(grid, 60, 60)], 2);
+}
+
 TEST(DepthGrid, IsFreeUpToTheNearestThingAboutACell) {
   const Rig rig = DepthTestRig();
   DepthImage depth = Depth(rig, 3);

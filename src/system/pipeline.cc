@@ -212,7 +212,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_boxes = static_cast<int>(areas.boxes().size());
   record.num_bridged = areas.num_bridged();
   if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
-  if (follows_bodies_) extracted.depth = grids_.Make(images.depth);
+  if (follows_bodies_) extracted.depth = grids_.Make(images.depth, areas.bodies());
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
   Features suspects;
