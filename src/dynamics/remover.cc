@@ -8,6 +8,7 @@
 
 #include "dynamics/body.h"
 #include "dynamics/lying_cells.h"
+#include "dynamics/outline.h"
 
 namespace yorb {
 namespace {
@@ -53,11 +54,14 @@ std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& sea
   if (!IsSure(track, now) && !HasSurroundings(search, track.at.box)) return std::nullopt;
   if (sign) {
     const BodyPlane body = FitBody(search, track.at.box, *sign);
-    if (IsBelievable(track, sign->score, body, now)) return body;
+    const bool is_apart = IsSure(track, now) || !GoesOnBeyond(search, track.at.box, body);
+    if (is_apart && IsBelievable(track, sign->score, body, now)) return body;
   }
   const auto again = track.body ? FindAgain(search, track.at.box, *track.body) : std::nullopt;
-  if (again) return FitBody(search, track.at.box, *again);
-  return std::nullopt;
+  if (!again) return std::nullopt;
+  const BodyPlane body = FitBody(search, track.at.box, *again);
+  if (!IsSure(track, now) && GoesOnBeyond(search, track.at.box, body)) return std::nullopt;
+  return body;
 }
 
 /// How much of a box is known as the body of others.
