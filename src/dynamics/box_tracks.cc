@@ -52,6 +52,12 @@ bool MayFade(const BoxTrack& track, Timestamp now) {
 
 }  // namespace
 
+bool BoxTracks::IsSure(const SortedBox& seen) const {
+  constexpr double kRarer = 2;  // rooms hold far more people than animals: a cat of .3 is a plant more often than not
+  const bool is_rare = seen.box.name == "cat" || seen.box.name == "dog";
+  return seen.box.confidence >= sure_confidence_ * (is_rare ? kRarer : 1);
+}
+
 void BoxTracks::MoveTo(Timestamp now, int width, int height) {
   const double seconds = last_ ? SecondsBetween(*last_, now) : 0;
   for (BoxTrack& track : tracks_) track.at.box = Cut(Moved(track.at.box, track, seconds), width, height);
@@ -69,7 +75,7 @@ void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>&
   for (size_t t = 0; t < tracks_.size(); ++t) {
     for (size_t b = 0; b < seen.size(); ++b) {
       const double overlap = IoU(Moved(tracks_[t].at.box, tracks_[t], -age_s), seen[b].box);
-      const bool is_sure = seen[b].box.confidence >= sure_confidence_;
+      const bool is_sure = IsSure(seen[b]);
       if (!is_sure && !MayFade(tracks_[t], now)) continue;
       if (overlap >= kLeastOverlap && tracks_[t].at.motion == seen[b].motion) pairs.push_back({overlap, is_sure, t, b});
     }
@@ -84,7 +90,7 @@ void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>&
     See(tracks_[pair.track], seen[pair.box], pair.is_sure, at, now);
   }
   for (size_t b = 0; b < seen.size(); ++b) {
-    const bool is_sure = seen[b].box.confidence >= sure_confidence_;
+    const bool is_sure = IsSure(seen[b]);
     if (is_box_done[b] || !is_sure || seen[b].motion == Motion::kStatic) continue;
     BoxTrack track;
     See(track, seen[b], true, at, now);

@@ -41,7 +41,7 @@ struct BoxTrack {
 /// and more than once, but begins nothing.
 class BoxTracks {
  public:
-  /// `sure_confidence`: boxes below it begin nothing.
+  /// `sure_confidence`: boxes of people below it begin nothing; those of pets need more.
   explicit BoxTracks(double sure_confidence = 0) : sure_confidence_(sure_confidence) {}
 
   /// Takes what was seen for the picture at `now` (later than the time before); boxes of an older picture move on to
@@ -52,6 +52,7 @@ class BoxTracks {
   std::vector<BoxTrack>& tracks() { return tracks_; }
 
  private:
+  bool IsSure(const SortedBox& seen) const;
   void MoveTo(Timestamp now, int width, int height);
   void Match(Timestamp now, Timestamp at, const std::vector<SortedBox>& seen);
 

@@ -58,6 +58,19 @@ TEST_F(BoxTracksTest, AFaintBoxContinuesButBeginsNothing) {
   EXPECT_TRUE(tracks.tracks().empty()) << "nobody is sure of it for too long";
 }
 
+TEST_F(BoxTracksTest, PetsAreBelievedLessThanPeople) {
+  for (const char* name : {"person", "cat"}) {
+    BoxTracks tracks(0.25);
+    Box box = Walker(0);
+    box.name = name, box.confidence = 0.4;
+    tracks.Update(FrameTime(0), {{true, {box}}, FrameTime(0)}, MotionTable::Default(), 640, 480);
+    EXPECT_EQ(tracks.tracks().size(), box.name == "person" ? 1u : 0u);
+    box.confidence = 0.6;
+    tracks.Update(FrameTime(1), {{true, {box}}, FrameTime(1)}, MotionTable::Default(), 640, 480);
+    EXPECT_EQ(tracks.tracks().size(), 1u);
+  }
+}
+
 TEST_F(BoxTracksTest, OneFalseBoxIsGoneWithItsPicture) {
   See(0, {Walker(0)});
   See(1, {});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace yorb {
 
@@ -25,24 +26,13 @@ float Frame::MedianDepth() const {
   return *middle;
 }
 
-FramePtr WithoutSuspects(const FramePtr& frame, const std::function<bool(size_t)>& is_cleared) {
-  if (frame->num_suspects == 0) return frame;
+FramePtr WithoutRows(const FramePtr& frame, const std::vector<bool>& is_marked) {
   auto rest = std::make_shared<Frame>(*frame);
-  size_t kept = frame->size() - frame->num_suspects;
-  for (size_t i = kept; i < frame->size(); ++i) {
-    if (!is_cleared(i)) continue;
-    rest->keypoints[kept] = frame->keypoints[i];
-    rest->points_px[kept] = frame->points_px[i];
-    rest->depth[kept] = frame->depth[i];
-    rest->right_px[kept] = frame->right_px[i];
-    rest->descriptors[kept] = frame->descriptors[i];
-    ++kept;
-  }
-  rest->keypoints.resize(kept);
-  rest->points_px.resize(kept);
-  rest->depth.resize(kept);
-  rest->right_px.resize(kept);
-  rest->descriptors.resize(kept);
+  rest->keypoints = WithoutRows(std::move(rest->keypoints), is_marked);
+  rest->points_px = WithoutRows(std::move(rest->points_px), is_marked);
+  rest->depth = WithoutRows(std::move(rest->depth), is_marked);
+  rest->right_px = WithoutRows(std::move(rest->right_px), is_marked);
+  rest->descriptors = WithoutRows(std::move(rest->descriptors), is_marked);
   rest->grid = Grid(rest->bounds, rest->points_px);
   rest->num_suspects = 0;
   return rest;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -65,7 +64,18 @@ struct Frame {
 
 using FramePtr = std::shared_ptr<const Frame>;
 
-/// The frame without its suspects but those that `is_cleared(index)`; these are suspects no longer.
-FramePtr WithoutSuspects(const FramePtr& frame, const std::function<bool(size_t)>& is_cleared);
+/// The rows that are not marked, in their order.
+template <typename Row>
+std::vector<Row> WithoutRows(std::vector<Row> rows, const std::vector<bool>& is_marked) {
+  size_t kept = 0;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (!is_marked[i]) rows[kept++] = rows[i];
+  }
+  rows.resize(kept);
+  return rows;
+}
+
+/// The frame without the marked points. None of the others is a suspect any longer.
+FramePtr WithoutRows(const FramePtr& frame, const std::vector<bool>& is_marked);
 
 }  // namespace yorb

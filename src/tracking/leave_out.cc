@@ -15,15 +15,10 @@ std::vector<bool> PointsOnMovers(const Frame& frame, const MovingCells& moving) 
   return any ? is_on : std::vector<bool>();
 }
 
-FramePtr WithoutRows(const FramePtr& frame, const std::vector<bool>& is_marked) {
-  auto rest = std::make_shared<Frame>(*frame);
-  rest->keypoints = WithoutRows(std::move(rest->keypoints), is_marked);
-  rest->points_px = WithoutRows(std::move(rest->points_px), is_marked);
-  rest->depth = WithoutRows(std::move(rest->depth), is_marked);
-  rest->right_px = WithoutRows(std::move(rest->right_px), is_marked);
-  rest->descriptors = WithoutRows(std::move(rest->descriptors), is_marked);
-  rest->grid = Grid(rest->bounds, rest->points_px);
-  return rest;
+std::vector<bool> DoubtfulSuspects(const Frame& frame, const std::vector<LandmarkId>& matches) {
+  std::vector<bool> is_doubtful(frame.size(), false);
+  for (size_t i = frame.size() - frame.num_suspects; i < frame.size(); ++i) is_doubtful[i] = !matches[i].IsValid();
+  return is_doubtful;
 }
 
 }  // namespace yorb

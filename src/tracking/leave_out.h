@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "features/frame.h"
+#include "map/event.h"
 #include "motion/mover_finder.h"
 
 namespace yorb {
@@ -12,18 +12,8 @@ namespace yorb {
 /// The points of a frame that are on what moves, a row a keypoint; empty where there are none.
 std::vector<bool> PointsOnMovers(const Frame& frame, const MovingCells& moving);
 
-/// The frame without the rows that are marked.
-FramePtr WithoutRows(const FramePtr& frame, const std::vector<bool>& is_marked);
-
-/// The same of any rows that belong to the keypoints.
-template <typename Row>
-std::vector<Row> WithoutRows(std::vector<Row> rows, const std::vector<bool>& is_marked) {
-  size_t kept = 0;
-  for (size_t i = 0; i < rows.size(); ++i) {
-    if (!is_marked[i]) rows[kept++] = rows[i];
-  }
-  rows.resize(kept);
-  return rows;
-}
+/// Which suspects are to go: those that no landmark speaks for (`matches`: a row a point). The others have shown that
+/// they stand still.
+std::vector<bool> DoubtfulSuspects(const Frame& frame, const std::vector<LandmarkId>& matches);
 
 }  // namespace yorb

@@ -54,5 +54,16 @@ TEST(WithoutRows, KeepsTheRestInItsOrder) {
   }
 }
 
+TEST(DoubtfulSuspects, AreThoseThatNoLandmarkSpeaksFor) {
+  const SyntheticWorld world(1);
+  Frame frame = *world.Look(Rigid3::Identity(), FrameId(0), Timestamp{0}).frame;
+  frame.num_suspects = frame.size() / 2;
+  std::vector<LandmarkId> matches(frame.size());
+  for (uint32_t i = 0; i < frame.size(); i += 3) matches[i] = LandmarkId(i);
+  const auto is_doubtful = DoubtfulSuspects(frame, matches);
+  ASSERT_EQ(is_doubtful.size(), frame.size());
+  for (size_t i = 0; i < frame.size(); ++i) EXPECT_EQ(is_doubtful[i], frame.IsSuspect(i) && i % 3 != 0);
+}
+
 }  // namespace
 }  // namespace yorb

@@ -6,6 +6,7 @@
 
 #include "localize/relocalizer.h"
 #include "tracking/keyframe_policy.h"
+#include "tracking/leave_out.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -28,13 +29,12 @@ int CountPointsWithDepth(const Frame& frame) {
   return static_cast<int>(std::count_if(frame.depth.begin(), end, [](float d) { return d > 0; }));
 }
 
-/// Lets go of the suspects that no landmark speaks for; the others have shown that they stand still.
-FramePtr WithoutSuspects(const FramePtr& frame, Fix& fix) {
+/// Lets go of the suspects that are doubtful under a pose.
+FramePtr WithoutDoubtful(const FramePtr& frame, Fix& fix) {
   if (frame->num_suspects == 0) return frame;
-  const FramePtr rest = WithoutSuspects(frame, [&](size_t index) { return fix.matches[index].IsValid(); });
-  const auto first = fix.matches.end() - static_cast<std::ptrdiff_t>(frame->num_suspects);
-  fix.matches.erase(std::remove(first, fix.matches.end(), LandmarkId()), fix.matches.end());
-  return rest;
+  const std::vector<bool> is_doubtful = DoubtfulSuspects(*frame, fix.matches);
+  fix.matches = WithoutRows(std::move(fix.matches), is_doubtful);
+  return WithoutRows(frame, is_doubtful);
 }
 
 /// Whether both frames are of the very same picture: a driver that hands it out again under a new time stamp.
@@ -62,7 +62,9 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   Tracked tracked;
   const int num_points = CountPointsWithDepth(*raw_frame);
   if (num_points < options_.min_first_points) return tracked;
-  const FramePtr frame = WithoutSuspects(raw_frame, [](size_t) { return false; });
+  Fix nothing_known;
+  nothing_known.matches.resize(raw_frame->size());
+  const FramePtr frame = WithoutDoubtful(raw_frame, nothing_known);
   // This frame will be the next keyframe, since no other waits, and defines the world of its sub-map.
   const KeyframeId first = map.next_keyframe();
   state_ = TrackingState::kTracking;
@@ -98,7 +100,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
     frame = better;
     fix = Refit(*frame, map, fix);
   }
-  frame = WithoutSuspects(frame, fix);
+  frame = WithoutDoubtful(frame, fix);
   Remember(frame, map, *located);
   tracked.moving = LeaveOutMovers(frame, depth, map, fix);
   if (!tracked.moving.empty()) Remember(frame, map, *located);

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/outline.h"
+
+#include <gtest/gtest.h>
+
+namespace yorb {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+const Box kBox{"person", 0.9, 200, 100, 360, 400};
+
+/// A wall that slants from 2 m on the left to 3 m on the right, and, where asked for, a board at 1.5 m within the box.
+DepthImage Wall(bool has_board) {
+  DepthImage depth{cv::Mat(kHeight, kWidth, CV_32FC1), 1};
+  for (int x = 0; x < kWidth; ++x) depth.pixels.col(x).setTo(2.0 + x / static_cast<double>(kWidth));
+  if (has_board) depth.pixels(cv::Rect(205, 105, 150, 290)).setTo(1.5);
+  return depth;
+}
+
+bool GoesOn(const DepthImage& image, const Box& box, float metres) {
+  const DepthCells depth(image);
+  const CellMask taken(static_cast<size_t>(depth.columns() * depth.rows()), 0);
+  const std::vector<Box> boxes{box};
+  const BodySearch search{depth, taken, boxes};
+  return GoesOnBeyond(search, box, FitBody(search, box, {metres, 1, 100}));
+}
+
+TEST(GoesOnBeyond, TellsAWallFromWhatEndsInItsBox) {
+  EXPECT_TRUE(GoesOn(Wall(false), kBox, 2.44f));
+  EXPECT_FALSE(GoesOn(Wall(true), kBox, 1.5f));
+}
+
+TEST(GoesOnBeyond, TheEdgeOfThePictureSaysNothing) {
+  EXPECT_FALSE(GoesOn(Wall(false), {"person", 0.9, 0, 0, kWidth, kHeight}, 2.5f));
+}
+
+}  // namespace
+}  // namespace yorb
