@@ -10,7 +10,7 @@ namespace yorb {
 constexpr double kTrustInNew = 0.25;
 
 /// How much a landmark of the map counts for a pose. Everyone who comes into view brings many at once, but none that
-/// several keyframes saw standing still over some seconds: those count 1.
+/// several keyframes saw standing still over two seconds: those count 1, and what they saw within a moment 0.6.
 double TrustIn(const Landmark& landmark, const Map& map);
 
 }  // namespace yorb
