@@ -25,8 +25,17 @@ torch::Tensor TaughtObjectness(const torch::Tensor& taught, const CommonClasses&
   return taught.select(4, 4).sigmoid() * best_common / (best + 1e-9);
 }
 
-/// 0 where the learner sees a class that the teacher does not know, and at the cells of the truth; 1 elsewhere.
-torch::Tensor AskedWeights(const torch::Tensor& map, const LevelAssignment& truth, const CommonClasses& common) {
+/// The objectness to learn: the teacher's, and where the truth stands what the truth wants. Leaving the truth out here
+/// would give the background, which is everywhere else, more weight than it has without a teacher.
+torch::Tensor ObjectnessToLearn(const torch::Tensor& map, const Assignment& truth, const torch::Tensor& taught) {
+  if (truth.size() == 0) return taught;
+  torch::Tensor objectness = taught.clone();
+  objectness.index_put_(CellIndex(truth, map.device()), WantedObjectness(map, truth));
+  return objectness;
+}
+
+/// 0 where the learner sees a class that the teacher does not know, but for the cells of the truth; 1 elsewhere.
+torch::Tensor AskedWeights(const torch::Tensor& map, const Assignment& truth, const CommonClasses& common) {
   const torch::NoGradGuard no_grad;
   torch::Tensor unknown = torch::ones({map.size(4) - 5}, map.options());
   unknown.index_fill_(0, common.of_learner, 0);
@@ -35,7 +44,7 @@ torch::Tensor AskedWeights(const torch::Tensor& map, const LevelAssignment& trut
   const torch::Tensor best_unknown = (classes - (1 - unknown) * kNever).amax(4);
   const torch::Tensor best_known = (classes - unknown * kNever).amax(4);
   torch::Tensor weights = 1 - ((best_unknown > best_known) & (best_unknown > 0)).to(torch::kFloat32);
-  if (truth.sure.size() > 0) weights.index_put_(CellIndex(truth.sure, map.device()), torch::zeros({}, map.options()));
+  if (truth.size() > 0) weights.index_put_(CellIndex(truth, map.device()), torch::ones({}, map.options()));
   return weights;
 }
 
@@ -61,9 +70,10 @@ torch::Tensor DistillationLoss(const std::array<torch::Tensor, 3>& maps, const s
     const LevelAssignment truth = AssignAnchors(batch.targets, layout.anchors[i], layout.strides[i],
                                                 static_cast<int>(map.size(1)), static_cast<int>(map.size(2)));
     const torch::Tensor objectness = TaughtObjectness(other, common);
-    const torch::Tensor asked = AskedWeights(map, truth, common);
+    const torch::Tensor asked = AskedWeights(map, truth.sure, common);
     sum = sum + options.objectness * options.level_objectness[i] *
-                    F::binary_cross_entropy_with_logits(map.select(4, 4), objectness, Entropy().weight(asked));
+                    F::binary_cross_entropy_with_logits(
+                        map.select(4, 4), ObjectnessToLearn(map, truth.sure, objectness), Entropy().weight(asked));
     const torch::Tensor cells = objectness > kLeastObjectness;
     const torch::Tensor weight = objectness.masked_select(cells);
     if (weight.numel() == 0) continue;

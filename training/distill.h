@@ -11,7 +11,7 @@ namespace yorb {
 
 /// How far the learner's maps are from the teacher's (Mehta and Ozturk, 2018): objectness everywhere, classes and boxes
 /// where the teacher sees something, weighed by how sure it is of it. Things that only the teacher knows are
-/// background; where the truth stands it has objectness to itself, and where the learner sees a class that the teacher
+/// background; where the truth stands it alone says the objectness, and where the learner sees a class that the teacher
 /// does not know, the teacher is not asked. A sum over the levels, balanced as in `DetectionLoss`, times the batch
 /// size.
 torch::Tensor DistillationLoss(const std::array<torch::Tensor, 3>& maps, const std::array<torch::Tensor, 3>& taught,

@@ -96,7 +96,7 @@ TEST(DistillationLoss, WhatTheTeacherDoesNotKnowIsLeftToTheTruth) {
   const std::vector<Target> truth{{0, {60, 28, 72, 44, 0, false}}};  // its centre is in column 8, row 4
   DistillationLoss(maps, taught, Pictures(truth, 2), layout, TeacherOf({0}, {0}), {}).backward();
   EXPECT_EQ(At(maps[0].grad(), 4, 3, 5).item<double>(), 0);
-  EXPECT_EQ(At(maps[0].grad(), 4, 4, 8).item<double>(), 0);
+  EXPECT_LT(At(maps[0].grad(), 4, 4, 8).item<double>(), 0);  // there objectness is to rise, for the truth
   EXPECT_GT(At(maps[0].grad(), 4, 1, 1).item<double>(), 0);
 }
 

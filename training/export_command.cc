@@ -15,6 +15,7 @@ namespace {
 
 struct ExportArguments {
   std::string checkpoint, out, size = "320x256";
+  std::vector<std::string> others;
   int stills_px = 0;
   bool takes_last = false;
 };
@@ -26,6 +27,7 @@ Status Export(const ExportArguments& arguments) {
   if (!kind) return kind.error();
   TrainState state(MakeLayout(kind->layout, kind->table.size()), kind->table, {});
   if (const Status loaded = LoadCheckpoint(arguments.checkpoint, state); !loaded) return loaded;
+  if (const Status mixed = AverageWith(arguments.others, state); !mixed) return mixed;
   const std::string bytes = ExportOnnx(arguments.takes_last ? state.network : state.average, kind->table,
                                        phases->back().sizes.front(), arguments.stills_px);
   std::printf("%s: %s after %lld steps, %d classes, %s, %.1f MB\n", arguments.out.c_str(), kind->layout.c_str(),
@@ -42,6 +44,8 @@ void AddExportCommand(CLI::App& program, Action& action) {
   command->add_option("CHECKPOINT", arguments->checkpoint, "last.pt of a training")->required();
   command->add_option("OUT", arguments->out, "The ONNX file to write")->required();
   command->add_option("--size", arguments->size, "Input size, width x height, multiples of 32")->capture_default_str();
+  command->add_option("--with", arguments->others,
+                      "Other checkpoints: the mean of all their averaged weights is written");
   command->add_option("--stills", arguments->stills_px, "Longer side at which `yorb detect` is to look at pictures")
       ->check(CLI::Range(32, 4096));
   command->add_flag("--last", arguments->takes_last, "Export the weights of the last step, not the averaged ones");

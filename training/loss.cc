@@ -76,6 +76,13 @@ torch::Tensor DecodeAtCells(const torch::Tensor& logits, const torch::Tensor& an
   return torch::cat({part.slice(1, 0, 2) - 0.5, part.slice(1, 2, 4).square() * anchors}, 1);
 }
 
+torch::Tensor WantedObjectness(const torch::Tensor& map, const Assignment& cells) {
+  const torch::NoGradGuard no_grad;
+  const torch::Device device = map.device();
+  const torch::Tensor boxes = DecodeAtCells(map.index(CellIndex(cells, device)), AsRows(cells.anchors, 2, device));
+  return CompleteIou(boxes, AsRows(cells.boxes, 4, device)).clamp_min(0);
+}
+
 torch::Tensor CompleteIou(const torch::Tensor& a, const torch::Tensor& b) {
   const double epsilon = 1e-7;
   const torch::Tensor a_center = a.slice(1, 0, 2), b_center = b.slice(1, 0, 2);

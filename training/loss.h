@@ -42,6 +42,10 @@ std::vector<at::indexing::TensorIndex> CellIndex(const Assignment& cells, const 
 /// a cell beyond its own, a side up to four times its anchor's.
 torch::Tensor DecodeAtCells(const torch::Tensor& logits, const torch::Tensor& anchors);
 
+/// How well the boxes at an assignment's cells fit the truth, from 0 to 1, as it is (without a gradient): the
+/// objectness that is wanted there.
+torch::Tensor WantedObjectness(const torch::Tensor& map, const Assignment& cells);
+
 /// Complete IoU of boxes (n, 4) as centre x, y, width, height; the weight of its aspect term is held constant.
 torch::Tensor CompleteIou(const torch::Tensor& a, const torch::Tensor& b);
 

@@ -90,6 +90,28 @@ TEST(Training, ResumedTrainingGoesOnAsIfItHadNotStopped) {
   EXPECT_GT(std::abs(Fingerprint(once) - Fingerprint(first)), 1e-2);
 }
 
+TEST(Training, WeightsAreAveragedAndBegunFrom) {
+  const ClassTable table{{"disc", "square"}, {"", ""}};
+  std::vector<std::string> paths;
+  std::vector<torch::Tensor> biases;
+  for (int i = 0; i < 3; ++i) {
+    torch::manual_seed(i);
+    TrainState state(MakeLayout("yolo-mo-n", 2), table, {});
+    const torch::NoGradGuard no_grad;
+    state.average->heads[0]->bias.normal_();
+    biases.push_back(state.average->heads[0]->bias.clone());
+    paths.push_back(testing::TempDir() + "/mean" + std::to_string(i) + ".pt");
+    ASSERT_TRUE(SaveCheckpoint(paths.back(), state));
+  }
+  TrainState state(MakeLayout("yolo-mo-n", 2), table, {});
+  ASSERT_TRUE(BeginFrom(paths[0], state));
+  EXPECT_TRUE(torch::equal(state.network->heads[0]->bias, biases[0]));
+  EXPECT_TRUE(torch::equal(state.average->heads[0]->bias, biases[0]));
+  ASSERT_TRUE(AverageWith({paths[1], paths[2]}, state));
+  EXPECT_TRUE(torch::allclose(state.average->heads[0]->bias, (biases[0] + biases[1] + biases[2]) / 3));
+  EXPECT_FALSE(AverageWith({paths[0] + ".missing"}, state));
+}
+
 TEST(Training, ForeignCheckpointsAreRefused) {
   const TestFolder folder;
   const std::string path = folder.Path("foreign.pt");

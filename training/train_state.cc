@@ -53,6 +53,21 @@ ClassTable TableOf(const std::string& text) {
   return table;
 }
 
+/// The network becomes `kept` of itself and the rest of the other; counters are copied.
+void MoveTowards(const Network& other, double kept, Network& network) {
+  const torch::NoGradGuard no_grad;
+  const auto move = [&](torch::Tensor to, const torch::Tensor& from) {
+    if (to.is_floating_point())
+      to.mul_(kept).add_(from, 1 - kept);
+    else
+      to.copy_(from);
+  };
+  const auto from_parameters = other->parameters(), to_parameters = network->parameters();
+  for (size_t i = 0; i < to_parameters.size(); ++i) move(to_parameters[i], from_parameters[i]);
+  const auto from_buffers = other->buffers(), to_buffers = network->buffers();
+  for (size_t i = 0; i < to_buffers.size(); ++i) move(to_buffers[i], from_buffers[i]);
+}
+
 Error NoCheckpoint(const std::string& path) {
   return BadInput(path + ": cannot be read as a checkpoint of yorb-train; it writes last.pt into its --out folder");
 }
@@ -75,20 +90,9 @@ void SetRate(TrainState& state, double rate) {
 }
 
 void UpdateAverage(TrainState& state) {
-  const torch::NoGradGuard no_grad;
   // Short at first, so that the random beginning is soon forgotten.
   const double step = static_cast<double>(state.step + 1);
-  const double kept = std::min(state.options.averaging, step / (step + 10));
-  const auto move = [&](torch::Tensor to, const torch::Tensor& from) {
-    if (to.is_floating_point())
-      to.mul_(kept).add_(from, 1 - kept);
-    else
-      to.copy_(from);
-  };
-  const auto from_parameters = state.network->parameters(), to_parameters = state.average->parameters();
-  for (size_t i = 0; i < to_parameters.size(); ++i) move(to_parameters[i], from_parameters[i]);
-  const auto from_buffers = state.network->buffers(), to_buffers = state.average->buffers();
-  for (size_t i = 0; i < to_buffers.size(); ++i) move(to_buffers[i], from_buffers[i]);
+  MoveTowards(state.network, std::min(state.options.averaging, step / (step + 10)), state.average);
 }
 
 Status SaveCheckpoint(const std::string& path, TrainState& state) {
@@ -157,13 +161,18 @@ Status LoadCheckpoint(const std::string& path, TrainState& state) {
 Status BeginFrom(const std::string& path, TrainState& state) {
   TrainState other(state.network->layout, state.table, state.options);
   if (const Status loaded = LoadCheckpoint(path, other); !loaded) return loaded;
-  const torch::NoGradGuard no_grad;
-  for (Network& network : {std::ref(state.network), std::ref(state.average)}) {
-    const auto copy = [](const std::vector<torch::Tensor>& from, const std::vector<torch::Tensor>& to) {
-      for (size_t i = 0; i < to.size(); ++i) to[i].detach().copy_(from[i]);
-    };
-    copy(other.average->parameters(), network->parameters());
-    copy(other.average->buffers(), network->buffers());
+  MoveTowards(other.average, 0, state.network);
+  MoveTowards(other.average, 0, state.average);
+  return Status::Ok();
+}
+
+Status AverageWith(const std::vector<std::string>& paths, TrainState& state) {
+  double count = 1;
+  for (const std::string& path : paths) {
+    TrainState other(state.network->layout, state.table, state.options);
+    if (const Status loaded = LoadCheckpoint(path, other); !loaded) return loaded;
+    MoveTowards(other.average, count / (count + 1), state.average);
+    ++count;
   }
   return Status::Ok();
 }

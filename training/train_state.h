@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 #include "training/class_table.h"
@@ -47,6 +48,10 @@ Status LoadCheckpoint(const std::string& path, TrainState& state);
 
 /// Begins anew from the averaged weights of a checkpoint. Bad input as above.
 Status BeginFrom(const std::string& path, TrainState& state);
+
+/// Moves the averaged network to the mean of itself and those of other checkpoints of the same kind. Bad input as
+/// above.
+Status AverageWith(const std::vector<std::string>& paths, TrainState& state);
 
 /// What a checkpoint is of.
 struct CheckpointKind {
