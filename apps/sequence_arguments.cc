@@ -84,7 +84,8 @@ void SequenceArguments::AddTo(CLI::App& command) {
   command.add_option(
       "--dynamics", dynamics,
       "What is done about moving things: off; paper: points in their boxes are removed; exact: the same "
-      "with boxes that are given; full: boxes are followed, and depth tells the body from the background");
+      "with boxes that are given; full: boxes are followed, depth tells the body from the background, and "
+      "whatever else moves is found by geometry");
   command.add_option("--detections", detections,
                      "A file with boxes in the detector's place: people.txt, or JSON lines of `yorb detect --json`");
   command.add_option(

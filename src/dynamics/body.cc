@@ -62,11 +62,8 @@ Histogram Around(const BodySearch& search, const Box& box) {
     for (int column = outer.left; column < outer.right; ++column) {
       if (row >= inner.top && row < inner.bottom && column == inner.left) column = inner.right;
       if (column >= outer.right) break;
-      const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
-      const bool is_in_box =
-          std::any_of(search.bodies.begin(), search.bodies.end(), [&](const Box& other) { return Holds(other, x, y); });
       const float metres = search.depth.At(column, row);
-      if (metres > 0 && !is_in_box) counts[BinOf(metres)] += 1;
+      if (metres > 0 && !search.IsInABox(column, row)) counts[BinOf(metres)] += 1;
     }
   }
   return counts;
@@ -143,6 +140,11 @@ bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& bod
 }
 
 }  // namespace
+
+bool BodySearch::IsInABox(int column, int row) const {
+  const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
+  return std::any_of(bodies.begin(), bodies.end(), [&](const Box& box) { return Holds(box, x, y); });
+}
 
 std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres) {
   if (search.depth.empty()) return std::nullopt;

@@ -39,6 +39,9 @@ struct BodySearch {
   const DepthCells& depth;
   const CellMask& taken;           ///< cells that are known already; they count for nothing
   const std::vector<Box>& bodies;  ///< all boxes with bodies: within them there are no surroundings
+
+  /// Whether the middle of a cell lies in any of these boxes.
+  bool IsInABox(int column, int row) const;
 };
 
 /// Looks for the body in a box: what fills the middle of the box and, unlike the wall behind and the desk in front,

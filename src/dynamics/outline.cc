@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynamics/outline.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace yorb {
@@ -17,7 +16,7 @@ class Crossings {
   void Look(int column, int row, int out_x, int out_y) {
     constexpr int kOut = 2;  // cells, as boxes are not exact
     const int x = column + kOut * out_x, y = row + kOut * out_y;
-    if (x < 0 || x >= search_.depth.columns() || y < 0 || y >= search_.depth.rows() || IsInABox(x, y)) return;
+    if (x < 0 || x >= search_.depth.columns() || y < 0 || y >= search_.depth.rows() || search_.IsInABox(x, y)) return;
     const float within = search_.depth.At(column, row), beyond = search_.depth.At(x, y);
     if (within <= 0 || beyond <= 0) return;
     ++num_seen_;
@@ -31,11 +30,6 @@ class Crossings {
   }
 
  private:
-  bool IsInABox(int column, int row) const {
-    const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
-    return std::any_of(search_.bodies.begin(), search_.bodies.end(), [&](const Box& box) { return Holds(box, x, y); });
-  }
-
   /// Whether the surface at a cell is the body's and goes on to the next depth: a step of a few centimetres, and more
   /// far away, is the slant of a wall.
   bool IsUnbroken(int column, int row, float within, float beyond) const {

@@ -9,6 +9,7 @@
 #include "dynamics/body.h"
 #include "dynamics/lying_cells.h"
 #include "dynamics/outline.h"
+#include "features/frame.h"
 
 namespace yorb {
 namespace {
@@ -52,16 +53,17 @@ std::optional<float> LastDepth(const BoxTrack& track) {
 std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& search,
                                     const std::optional<BodySign>& sign, Timestamp now) {
   if (!IsSure(track, now) && !HasSurroundings(search, track.at.box)) return std::nullopt;
+  const auto is_apart = [&](const BodyPlane& body) {
+    return IsSure(track, now) || !GoesOnBeyond(search, track.at.box, body);
+  };
   if (sign) {
     const BodyPlane body = FitBody(search, track.at.box, *sign);
-    const bool is_apart = IsSure(track, now) || !GoesOnBeyond(search, track.at.box, body);
-    if (is_apart && IsBelievable(track, sign->score, body, now)) return body;
+    if (is_apart(body) && IsBelievable(track, sign->score, body, now)) return body;
   }
   const auto again = track.body ? FindAgain(search, track.at.box, *track.body) : std::nullopt;
   if (!again) return std::nullopt;
   const BodyPlane body = FitBody(search, track.at.box, *again);
-  if (!IsSure(track, now) && GoesOnBeyond(search, track.at.box, body)) return std::nullopt;
-  return body;
+  return is_apart(body) ? std::optional<BodyPlane>(body) : std::nullopt;
 }
 
 /// How much of a box is known as the body of others.
@@ -179,15 +181,10 @@ bool MovingAreas::Ignores(const Keypoint& point) const {
 }
 
 Features Kept(Features features, const std::function<bool(size_t)>& is_kept) {
-  size_t kept = 0;
-  for (size_t i = 0; i < features.keypoints.size(); ++i) {
-    if (!is_kept(i)) continue;
-    features.keypoints[kept] = features.keypoints[i];
-    features.descriptors[kept] = features.descriptors[i];
-    ++kept;
-  }
-  features.keypoints.resize(kept);
-  features.descriptors.resize(kept);
+  std::vector<bool> is_marked(features.keypoints.size());
+  for (size_t i = 0; i < is_marked.size(); ++i) is_marked[i] = !is_kept(i);
+  features.keypoints = WithoutRows(std::move(features.keypoints), is_marked);
+  features.descriptors = WithoutRows(std::move(features.descriptors), is_marked);
   return features;
 }
 

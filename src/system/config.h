@@ -26,7 +26,8 @@ struct Config {
   /// the tracker are dropped
   std::string mode = "offline";
   /// what is done about moving things: off: nothing; paper: points in their boxes go; exact: the same with given boxes;
-  /// full: boxes are followed, and within them depth tells the body from the background
+  /// full: boxes are followed, within them depth tells the body from the background, and what else moves is
+  /// found by geometry
   std::string dynamics = "off";
   std::string detections;  ///< a file of boxes in the detector's place; empty: the detector
   std::string masks;       ///< a folder of masks, or one for all frames: what is not to be used; empty: none

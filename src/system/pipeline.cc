@@ -65,25 +65,30 @@ FrameRecord Joined(const FrameRecord& before, const FrameRecord& tracked, double
   return record;
 }
 
-/// What tells one keypoint of a picture from all others.
+/// What tells the keypoints of one picture apart.
+using Places = std::set<std::tuple<int, float, float>>;
+
 std::tuple<int, float, float> PlaceOf(const Keypoint& point) { return {point.octave, point.x, point.y}; }
 
-/// Which of the points that the tracker found to move were not counted among the dynamic ones before.
-int CountPresumedStill(const Frame& frame, const std::vector<Keypoint>& moving) {
-  std::set<std::tuple<int, float, float>> suspects;
-  for (size_t i = frame.size() - frame.num_suspects; i < frame.size(); ++i)
-    suspects.insert(PlaceOf(frame.keypoints[i]));
-  return static_cast<int>(std::count_if(moving.begin(), moving.end(),
-                                        [&](const Keypoint& point) { return suspects.count(PlaceOf(point)) == 0; }));
+Places PlacesOf(const std::vector<Keypoint>& points) {
+  Places places;
+  for (const Keypoint& point : points) places.insert(PlaceOf(point));
+  return places;
+}
+
+/// How many of the points that the tracker found to move were counted among the dynamic ones before.
+int CountSuspects(const Frame& frame, const Places& moving) {
+  if (moving.empty()) return 0;
+  const auto first = frame.keypoints.end() - static_cast<std::ptrdiff_t>(frame.num_suspects);
+  return static_cast<int>(std::count_if(first, frame.keypoints.end(),
+                                        [&](const Keypoint& point) { return moving.count(PlaceOf(point)) > 0; }));
 }
 
 /// Marks as dynamic the points that the tracker found to move.
-void MarkMoving(const std::vector<Keypoint>& points, const std::vector<Keypoint>& moving,
-                std::vector<Verdict>& verdicts) {
-  std::set<std::tuple<int, float, float>> places;
-  for (const Keypoint& point : moving) places.insert(PlaceOf(point));
+void MarkMoving(const std::vector<Keypoint>& points, const Places& moving, std::vector<Verdict>& verdicts) {
+  if (moving.empty()) return;
   for (size_t i = 0; i < points.size(); ++i) {
-    if (places.count(PlaceOf(points[i])) > 0) verdicts[i] = Verdict::kDynamic;
+    if (moving.count(PlaceOf(points[i])) > 0) verdicts[i] = Verdict::kDynamic;
   }
 }
 
@@ -252,13 +257,14 @@ std::optional<Proposal> Pipeline::Track(Extracted& extracted) {
   const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
   const MapSnapshot map = view_.Get();
   Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, extracted.depth);
-  const int num_moving = CountPresumedStill(*extracted.frame, tracked.moving);
-  extracted.record.num_static -= num_moving;
-  extracted.record.num_removed += num_moving;
+  const Places moving = PlacesOf(tracked.moving);
+  const int num_new = static_cast<int>(moving.size()) - CountSuspects(*extracted.frame, moving);
+  extracted.record.num_static -= num_new;
+  extracted.record.num_removed += num_new;
   log_.Add(Joined(extracted.record, tracked.record, watch.ms()));
   if (extracted.judged) {
     Judged& judged = *extracted.judged;
-    MarkMoving(judged.points, tracked.moving, judged.verdicts);
+    MarkMoving(judged.points, moving, judged.verdicts);
     parts_.watch({judged.images, judged.points, judged.verdicts, judged.areas});
   }
   return std::move(tracked.proposal);

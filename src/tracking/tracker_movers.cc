@@ -23,6 +23,7 @@ void Tracker::CountGone(const Frame& frame, const DepthGrid& depth, const Map& m
 /// them, if only few keyframes know them, are as good as gone.
 std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const DepthGrid& depth, const Map& map, Fix& fix) {
   constexpr size_t kEnoughMatches = 20;  // to find the pose anew without what moves
+  if (depth.empty()) return {};
   PosedFrame posed{frame, std::vector<bool>(frame->size()), {last_.reference, last_.cam_from_reference}};
   for (size_t i = 0; i < frame->size(); ++i) posed.is_known[i] = fix.matches[i].IsValid();
   const auto is_moving = PointsOnMovers(*frame, movers_.Find(std::move(posed), depth, map));
