@@ -34,10 +34,8 @@ torch::Tensor ObjectnessToLearn(const torch::Tensor& map, const Assignment& trut
   return objectness;
 }
 
-/// `unjudged` where the learner sees a class that the teacher does not know, but for the cells of the truth; 1
-/// elsewhere.
-torch::Tensor AskedWeights(const torch::Tensor& map, const Assignment& truth, const CommonClasses& common,
-                           double unjudged) {
+/// 0 where the learner sees a class that the teacher does not know, but for the cells of the truth; 1 elsewhere.
+torch::Tensor AskedWeights(const torch::Tensor& map, const Assignment& truth, const CommonClasses& common) {
   const torch::NoGradGuard no_grad;
   torch::Tensor unknown = torch::ones({map.size(4) - 5}, map.options());
   unknown.index_fill_(0, common.of_learner, 0);
@@ -45,7 +43,7 @@ torch::Tensor AskedWeights(const torch::Tensor& map, const Assignment& truth, co
   const torch::Tensor classes = map.slice(4, 5);
   const torch::Tensor best_unknown = (classes - (1 - unknown) * kNever).amax(4);
   const torch::Tensor best_known = (classes - unknown * kNever).amax(4);
-  torch::Tensor weights = 1 - (1 - unjudged) * ((best_unknown > best_known) & (best_unknown > 0)).to(torch::kFloat32);
+  torch::Tensor weights = 1 - ((best_unknown > best_known) & (best_unknown > 0)).to(torch::kFloat32);
   if (truth.size() > 0) weights.index_put_(CellIndex(truth, map.device()), torch::ones({}, map.options()));
   return weights;
 }
@@ -72,7 +70,7 @@ torch::Tensor DistillationLoss(const std::array<torch::Tensor, 3>& maps, const s
     const LevelAssignment truth = AssignAnchors(batch.targets, layout.anchors[i], layout.strides[i],
                                                 static_cast<int>(map.size(1)), static_cast<int>(map.size(2)));
     const torch::Tensor objectness = TaughtObjectness(other, common);
-    const torch::Tensor asked = AskedWeights(map, truth.sure, common, options.unjudged);
+    const torch::Tensor asked = AskedWeights(map, truth.sure, common);
     sum = sum + options.objectness * options.level_objectness[i] *
                     F::binary_cross_entropy_with_logits(
                         map.select(4, 4), ObjectnessToLearn(map, truth.sure, objectness), Entropy().weight(asked));
