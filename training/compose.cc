@@ -6,8 +6,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "training/group_boxes.h"
-
 namespace yorb {
 namespace {
 
@@ -102,8 +100,7 @@ void AddBoxes(const PackedPicture& picture, const Placing& placing, const cv::Re
                  .class_index = label.class_index};
     const double seen = box.width() * box.height(), whole = 4 * half_width * half_height;
     if (seen <= 0.02 * whole || box.width() < 1 || box.height() < 1) continue;
-    box.is_doubtful = label.is_doubtful != 0 || seen < options.kept_part * whole ||
-                      std::min(box.width(), box.height()) < options.least_px;
+    box.is_doubtful = label.is_doubtful != 0 || seen < options.kept_part * whole;
     boxes.push_back(box);
   }
 }
@@ -146,8 +143,7 @@ Composer::Source Composer::GetSource(size_t index) const {
 Scene Composer::Compose(size_t index, const cv::Size& size, const ComposeOptions& options, Random& random) const {
   Scene scene{cv::Mat(size, CV_8UC3), {}, {}};
   const auto add = [&](size_t picture, const Cut& cut) {
-    Source source = GetSource(picture);
-    DoubtGroups(source.picture.boxes);
+    const Source source = GetSource(picture);
     const Placing placing = DrawPlacing(source.picture, cut, options, random);
     DrawPicture(source.picture.pixels, placing, cut.tile, scene.pixels);
     AddBoxes(source.picture, placing, cut.tile, options, scene.boxes);
@@ -178,7 +174,7 @@ Scene Composer::Letterbox(size_t index, const cv::Size& size) const {
   Scene scene{cv::Mat(size, CV_8UC3), {}, source.judged};
   DrawPicture(pixels, placing, whole, scene.pixels);
   ComposeOptions all;
-  all.kept_part = all.least_px = 0;
+  all.kept_part = 0;
   AddBoxes(source.picture, placing, whole, all, scene.boxes);
   return scene;
 }

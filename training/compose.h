@@ -24,7 +24,6 @@ struct ComposeOptions {
   double most_close_up = 3;       ///< times that they are enlarged, at most; 1.3 at least
   double flip = 0.5;              ///< share of mirrored pictures
   double kept_part = 0.2;         ///< a box of which less than this is in view is doubtful
-  double least_px = 3;            ///< boxes with a shorter side are doubtful
 };
 
 /// Brings packed pictures into a network's input size.

@@ -19,26 +19,27 @@ torch::Tensor AsRows(const std::vector<float>& values, int64_t columns, const to
   return torch::tensor(values, torch::kFloat32).view({-1, columns}).to(device);
 }
 
-/// 0 where the network sees a class that the picture is not judged for, more than any that it is; 1 elsewhere.
-torch::Tensor BackgroundWeights(const torch::Tensor& map, const torch::Tensor& judged) {
+/// `unjudged` where the network sees a class that the picture is not judged for, more than any that it is; 1 elsewhere.
+torch::Tensor BackgroundWeights(const torch::Tensor& map, const torch::Tensor& judged, double unjudged) {
   const torch::NoGradGuard no_grad;
   const torch::Tensor classes = map.slice(4, 5);
   const torch::Tensor known = judged.view({judged.size(0), 1, 1, 1, -1});
   constexpr double kNever = 1e4;
   const torch::Tensor best_known = (classes - (1 - known) * kNever).amax(4);
   const torch::Tensor best_unknown = (classes - known * kNever).amax(4);
-  return 1 - ((best_unknown > best_known) & (best_unknown > 0)).to(torch::kFloat32);
+  return 1 - (1 - unjudged) * ((best_unknown > best_known) & (best_unknown > 0)).to(torch::kFloat32);
 }
 
 struct LevelLoss {
   torch::Tensor box, objectness, classes;
 };
 
-LevelLoss LossOfLevel(const torch::Tensor& map, const LevelAssignment& level, const torch::Tensor& judged) {
+LevelLoss LossOfLevel(const torch::Tensor& map, const LevelAssignment& level, const torch::Tensor& judged,
+                      const LossOptions& options) {
   const torch::Device device = map.device();
   const int64_t num_classes = map.size(4) - 5;
   torch::Tensor objectness = torch::zeros(map.sizes().slice(0, 4), map.options());
-  torch::Tensor weights = BackgroundWeights(map, judged);
+  torch::Tensor weights = BackgroundWeights(map, judged, options.unjudged);
   if (level.doubtful.size() > 0) weights.index_put_(CellIndex(level.doubtful, device), torch::zeros({}, map.options()));
   LevelLoss loss{torch::zeros({}, map.options()), {}, torch::zeros({}, map.options())};
   if (level.sure.size() > 0) {
@@ -50,7 +51,8 @@ LevelLoss LossOfLevel(const torch::Tensor& map, const LevelAssignment& level, co
     objectness.index_put_(cells, iou.detach().clamp_min(0));
     weights.index_put_(cells, torch::ones({}, map.options()));
     const torch::Tensor wanted = F::one_hot(AsIndex(level.sure.class_index, device), num_classes).to(torch::kFloat32);
-    const torch::Tensor counts = torch::maximum(judged.index({AsIndex(level.sure.picture, device)}), wanted);
+    const torch::Tensor counts =
+        torch::maximum(judged.index({AsIndex(level.sure.picture, device)}), wanted).clamp_min(options.unjudged);
     const torch::Tensor entropy = F::binary_cross_entropy_with_logits(
         logits.slice(1, 5), wanted, F::BinaryCrossEntropyWithLogitsFuncOptions().weight(counts).reduction(torch::kSum));
     loss.classes = entropy / static_cast<double>(level.sure.size()) / static_cast<double>(num_classes);
@@ -111,7 +113,7 @@ Loss DetectionLoss(const std::array<torch::Tensor, 3>& maps, const Batch& batch,
     const torch::Tensor map = ByCells(maps[i]);
     const LevelAssignment level = AssignAnchors(batch.targets, layout.anchors[i], layout.strides[i],
                                                 static_cast<int>(map.size(1)), static_cast<int>(map.size(2)));
-    const LevelLoss part = LossOfLevel(map, level, batch.judged.to(map.device()));
+    const LevelLoss part = LossOfLevel(map, level, batch.judged.to(map.device()), options);
     const double balance = options.level_objectness[i] * options.objectness;
     const torch::Tensor total = part.box * options.box + part.objectness * balance + part.classes * options.classes;
     sum = sum.defined() ? sum + total : total;

@@ -17,6 +17,9 @@ struct LossOptions {
   double box = 0.05;
   double objectness = 0.7;
   double classes = 0.3;
+  /// How much it counts to see a class that a picture is not judged for where there is nothing, or in a thing of
+  /// another class: from 0, not at all, to 1, as much as anything else.
+  double unjudged = 1;
   std::array<double, 3> level_objectness{4.0, 1.0, 0.4};  ///< small things have most cells, and these the least signal
 };
 
@@ -26,9 +29,9 @@ struct Loss {
   double box = 0, objectness = 0, classes = 0, teacher = 0;
 };
 
-/// YOLOv5's loss (CIoU of boxes, binary cross entropies of objectness and classes) with two additions for truth that is
-/// incomplete: a class that a picture is not judged for is left out of its class loss, and where the network itself
-/// sees such a class, the cell is no background.
+/// YOLOv5's loss (CIoU of boxes, binary cross entropies of objectness and classes). Truth is incomplete: a class that a
+/// picture is not judged for may count less in its class loss, and so may the background where the network itself sees
+/// such a class.
 Loss DetectionLoss(const std::array<torch::Tensor, 3>& maps, const Batch& batch, const Layout& layout,
                    const LossOptions& options);
 

@@ -95,29 +95,49 @@ TEST(DetectionLoss, BackgroundIsPunishedUnlessInDoubt) {
   EXPECT_LT(less.objectness, loud.objectness);
 }
 
-TEST(DetectionLoss, WhatAPictureIsNotJudgedForIsNoBackground) {
+/// A picture that is not judged for class 2.
+Batch UnjudgedBatch(std::vector<Target> targets) {
+  Batch batch = MakeOneBatch(std::move(targets));
+  batch.judged.index_put_({0, 2}, 0.0);
+  return batch;
+}
+
+LossOptions Unjudged(double part) {
+  LossOptions options;
+  options.unjudged = part;
+  return options;
+}
+
+TEST(DetectionLoss, NamingAnUnjudgedClassIsNoWayOutOfTheBackground) {
   const Layout layout = SmallLayout();
   auto maps = Maps(Logit(0.5));
   for (torch::Tensor& map : maps)
     map.index_put_({0, torch::indexing::Slice(7, torch::indexing::None, 8)}, 3.0);  // class 2
-  Batch batch = MakeOneBatch({});
-  const double judged = DetectionLoss(maps, batch, layout, {}).objectness;
-  batch.judged.index_put_({0, 2}, 0.0);
+  const auto loss = [&](const Batch& batch, double part) {
+    return DetectionLoss(maps, batch, layout, Unjudged(part)).objectness;
+  };
+  const double judged = loss(MakeOneBatch({}), 1);
   EXPECT_GT(judged, 0.1);
-  EXPECT_NEAR(DetectionLoss(maps, batch, layout, {}).objectness, 0, 1e-9);
+  EXPECT_NEAR(loss(UnjudgedBatch({}), 1), judged, 1e-9);
+  EXPECT_NEAR(loss(UnjudgedBatch({}), 0.25), judged / 4, 1e-6);
+  EXPECT_NEAR(loss(UnjudgedBatch({}), 0), 0, 1e-9);
 }
 
-TEST(DetectionLoss, UnjudgedClassesGetNoGradient) {
+TEST(DetectionLoss, AThingOfOneClassIsNoneThatThePictureIsNotJudgedFor) {
   const Layout layout = SmallLayout();
-  auto maps = Maps(-1);
-  for (torch::Tensor& map : maps) map.set_requires_grad(true);
-  Batch batch = MakeOneBatch({MakeTarget(36, 20, 52, 44, 0)});
-  batch.judged.index_put_({0, 2}, 0.0);
-  DetectionLoss(maps, batch, layout, {}).total.backward();
-  const torch::Tensor gradient = maps[0].grad().view({3, 8, 8, 12});
-  EXPECT_EQ(gradient.select(1, 7).abs().max().item<double>(), 0);
-  EXPECT_GT(gradient.select(1, 6).abs().max().item<double>(), 0);
-  EXPECT_GT(gradient.select(1, 5).abs().max().item<double>(), 0);
+  const auto gradient = [&](double part) {
+    auto maps = Maps(-1);
+    for (torch::Tensor& map : maps) map.set_requires_grad(true);
+    DetectionLoss(maps, UnjudgedBatch({MakeTarget(36, 20, 52, 44, 0)}), layout, Unjudged(part)).total.backward();
+    const torch::Tensor of_values = maps[0].grad().view({3, 8, 8, 12}).transpose(0, 1);
+    std::vector<double> most;
+    for (int label = 0; label < 3; ++label) most.push_back(of_values[5 + label].abs().max().item<double>());
+    return most;
+  };
+  EXPECT_EQ(gradient(0)[2], 0);
+  EXPECT_GT(gradient(1)[2], 0);
+  EXPECT_NEAR(gradient(1)[2], gradient(1)[1], 1e-9);
+  EXPECT_GT(gradient(0)[0], 0);
 }
 
 }  // namespace

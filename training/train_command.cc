@@ -161,6 +161,11 @@ void AddLearningOptions(CLI::App& command, TrainArguments& arguments) {
   command.add_option("--zoom", arguments.loader.compose.zoom, "Mean enlargement of the others")->capture_default_str();
   command.add_option("--paste", arguments.loader.people.share, "Share of pictures into which people are pasted")
       ->capture_default_str();
+  command
+      .add_option("--unjudged", arguments.trainer.loss.unjudged,
+                  "How much a class counts where a picture is not judged for it, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   command.add_option("--warmup", arguments.trainer.schedule.num_warmup_steps, "Steps of rising learning rate")
       ->capture_default_str();
   command.add_option("--seed", arguments.loader.seed, "Of order, augmentation and first weights")
