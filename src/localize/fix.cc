@@ -7,7 +7,7 @@
 namespace yorb {
 
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
-                  const std::vector<int>& rows) {
+                  const std::vector<int>& rows, const Planes& planes) {
   std::vector<PoseObservation> observations;
   std::vector<size_t> indices;
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -16,11 +16,12 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
     observations.push_back({points[row].x_in_world, Observed(frame, i), points[row].trust});
     indices.push_back(i);
   }
-  const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig));
+  const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig), planes);
 
   Fix fix;
   fix.cam_from_world = estimate.cam_from_world;
   fix.matches.resize(frame.size());
+  fix.sigma_m = estimate.SigmaOfPlace();
   fix.num_matched = observations.size();
   for (size_t k = 0; k < observations.size(); ++k) {
     if (!estimate.is_inlier[k]) continue;
@@ -31,7 +32,8 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
   return fix;
 }
 
-Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches) {
+Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches,
+                     const Planes& planes) {
   std::vector<KnownPoint> points;
   std::vector<int> rows(frame.size(), -1);
   for (size_t i = 0; i < matches.size(); ++i) {
@@ -44,12 +46,12 @@ Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, co
     point.trust = TrustIn(*landmark, map);
     points.push_back(point);
   }
-  return FixFromPoints(frame, guess, points, rows);
+  return FixFromPoints(frame, guess, points, rows, planes);
 }
 
-Fix Refit(const Frame& frame, const Map& map, const Fix& fix) {
+Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes) {
   constexpr double kMinKept = 0.8;
-  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches);
+  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches, planes);
   again.num_matched = fix.num_matched;
   const bool is_same = static_cast<double>(again.num_inliers) >= kMinKept * static_cast<double>(fix.num_inliers);
   return is_same && fix.num_inliers_by_depth == 0 ? again : fix;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 
 #include "optimize/residuals.h"
 
@@ -20,6 +21,7 @@ constexpr size_t kMinObservations = 3;
 /// The observations that take part in one round.
 struct Round {
   std::vector<const PoseObservation*> observations;
+  const std::vector<PlaneObservation>* planes = nullptr;  // none
   bool use_huber = true;
 };
 
@@ -34,6 +36,26 @@ bool IsUsable(const PoseObservation& o) {
   return o.x_in_world.allFinite() && std::isfinite(o.seen.x_px) && std::isfinite(o.seen.y_px) &&
          !std::isinf(o.seen.right_px) && std::isfinite(o.seen.inverse_variance) && o.seen.inverse_variance > 0 &&
          std::isfinite(o.weight) && o.weight >= 0;
+}
+
+/// Adds what planes say. The distance of a measured x from its plane is n . (T^-1 x) - d; steps multiply T from the
+/// left.
+void AddPlanes(const Rigid3& cam_from_world, const std::vector<PlaneObservation>& planes, Normal& normal) {
+  constexpr double kHuberSigmas = 1.5;
+  const Rigid3 world_from_cam = cam_from_world.Inverse();
+  for (const PlaneObservation& plane : planes) {
+    const double distance = plane.normal_in_world.dot(world_from_cam * plane.x_in_cam) - plane.offset;
+    const double sigmas = distance / plane.sigma_m;
+    const Loss loss = RobustLoss(sigmas * sigmas, kHuberSigmas * kHuberSigmas, true);
+    const Eigen::Vector3d normal_in_cam = cam_from_world.rotation * plane.normal_in_world;
+    Vector6d jacobian;
+    jacobian << -plane.x_in_cam.cross(normal_in_cam), -normal_in_cam;
+    jacobian /= plane.sigma_m;
+    const double weight = plane.weight * loss.weight;
+    normal.cost += plane.weight * loss.cost;
+    normal.hessian.noalias() += weight * jacobian * jacobian.transpose();
+    normal.gradient.noalias() += weight * sigmas * jacobian;
+  }
 }
 
 Normal LinearizeAt(const Rigid3& cam_from_world, const Round& round, const Projection& projection) {
@@ -56,6 +78,7 @@ Normal LinearizeAt(const Rigid3& cam_from_world, const Round& round, const Proje
   }
   normal.hessian << rr, rt, rt.transpose(), tt;
   normal.gradient << r, t;
+  if (round.planes) AddPlanes(cam_from_world, *round.planes, normal);
   return normal;
 }
 
@@ -102,8 +125,10 @@ std::vector<bool> Judge(const Rigid3& pose, const std::vector<PoseObservation>& 
   return is_inlier;
 }
 
-Round Select(const std::vector<PoseObservation>& observations, const std::vector<bool>& is_chosen, bool use_huber) {
+Round Select(const std::vector<PoseObservation>& observations, const std::vector<bool>& is_chosen, bool use_huber,
+             const std::vector<PlaneObservation>* planes) {
   Round round;
+  round.planes = planes;
   round.use_huber = use_huber;
   round.observations.reserve(observations.size());
   for (size_t k = 0; k < observations.size(); ++k) {
@@ -114,8 +139,16 @@ Round Select(const std::vector<PoseObservation>& observations, const std::vector
 
 }  // namespace
 
+double PoseEstimate::SigmaOfPlace() const {
+  const auto factors = information.ldlt();
+  if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() > 0))
+    return std::numeric_limits<double>::infinity();
+  const Matrix6d covariance = factors.solve(Matrix6d::Identity());
+  return std::sqrt(covariance.bottomRightCorner<3, 3>().trace());
+}
+
 PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
-                          const Projection& projection) {
+                          const Projection& projection, const std::vector<PlaneObservation>& planes) {
   PoseEstimate estimate;
   estimate.cam_from_world = cam_from_world;
   estimate.is_inlier.assign(observations.size(), false);
@@ -126,12 +159,12 @@ PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseOb
   std::vector<bool> is_inlier = is_usable;
   Rigid3 pose = cam_from_world;
   for (int k = 0; k < kRounds; ++k) {
-    const Round round = Select(observations, is_inlier, k + 1 < kRounds);
+    const Round round = Select(observations, is_inlier, k + 1 < kRounds, &planes);
     if (round.observations.size() < kMinObservations) return estimate;
     pose = Minimize(pose, round, projection);
     is_inlier = Judge(pose, observations, is_usable, projection);
   }
-  const Round inliers = Select(observations, is_inlier, false);
+  const Round inliers = Select(observations, is_inlier, false, nullptr);
   if (inliers.observations.size() < kMinObservations) return estimate;
 
   const Normal normal = LinearizeAt(pose, inliers, projection);

@@ -16,6 +16,15 @@ struct PoseObservation {
   double weight = 1;  ///< multiplies the cost; below 1 for points that may move
 };
 
+/// A point of a surface that this picture sees, and the plane that it is known to lie on.
+struct PlaneObservation {
+  Eigen::Vector3d x_in_cam;         ///< metres, as measured
+  Eigen::Vector3d normal_in_world;  ///< of length 1
+  double offset = 0;                ///< normal . x of the points of the plane, metres
+  double sigma_m = 0.01;            ///< of the distance to the plane
+  double weight = 1;                ///< multiplies the cost
+};
+
 struct PoseEstimate {
   Rigid3 cam_from_world;
   std::vector<bool> is_inlier;  ///< a row an observation
@@ -23,13 +32,18 @@ struct PoseEstimate {
   double cost = 0;  ///< half the weighted chi-square of the inliers at the end
   /// J^T W J of the inliers at the end, for (rotation, translation) of the step in Rigid3::FromStep.
   Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
+
+  /// One standard deviation of the place, in metres, as far as the inliers err each by itself; infinite where they
+  /// leave it open.
+  double SigmaOfPlace() const;
 };
 
 /// The pose that least squares asks for: Levenberg-Marquardt with Huber weights, in four rounds after each of which
 /// every observation is judged anew by its chi-square (95 %); the last round goes without Huber, as in ORB-SLAM2.
 /// Points at or behind the camera and observations that are not finite are outliers. Where fewer than three
-/// observations remain, the given pose comes back without inliers.
+/// observations remain, the given pose comes back without inliers. Planes are held to from beginning to end, with
+/// Huber's loss, and are not judged; cost and information are of the points alone.
 PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
-                          const Projection& projection);
+                          const Projection& projection, const std::vector<PlaneObservation>& planes = {});
 
 }  // namespace yorb

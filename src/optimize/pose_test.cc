@@ -85,6 +85,57 @@ TEST(OptimizePose, SaysWhatItKnowsAsTheNumericJacobianDoes) {
   EXPECT_LT((estimate.information - numeric).norm(), 1e-6 * numeric.norm());
 }
 
+/// Points that the camera at `truth` measures exactly on `num_planes` planes at right angles to each other.
+std::vector<PlaneObservation> MakePlanes(const Rigid3& truth, int num_planes) {
+  std::vector<PlaneObservation> planes;
+  Random random(7);
+  for (int plane = 0; plane < num_planes; ++plane) {
+    const Eigen::Vector3d normal = Eigen::Vector3d::Unit(plane);
+    for (int i = 0; i < 30; ++i) {
+      Eigen::Vector3d x(random.Uniform(-2, 2), random.Uniform(-2, 2), random.Uniform(-2, 2));
+      x[plane] = 2;
+      planes.push_back({truth * x, normal, 2, 0.01, 1});
+    }
+  }
+  return planes;
+}
+
+TEST(OptimizePose, ThreePlanesTellThePoseThatFewPointsLeaveOpen) {
+  PoseProblem problem = MakePoseProblem({0, 0, 1}, 50);
+  problem.observations.resize(3);
+  for (PoseObservation& o : problem.observations) o.weight = 1e-9;  // counted, but silent
+  const auto planes = MakePlanes(problem.truth, 3);
+  const PoseEstimate estimate = OptimizePose(problem.guess, problem.observations, problem.projection, planes);
+  EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 1e-6);
+}
+
+TEST(OptimizePose, PlanesThatAgreeChangeNothing) {
+  const PoseProblem problem = MakePoseProblem({0, 0, 0.5}, 50);
+  const PoseEstimate estimate =
+      OptimizePose(problem.guess, problem.observations, problem.projection, MakePlanes(problem.truth, 2));
+  EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 1e-8);
+  EXPECT_LT((estimate.information - Optimize(problem).information).norm(), 1e-6 * estimate.information.norm());
+}
+
+TEST(OptimizePose, WrongPlanesAreOutvotedByHuber) {
+  const PoseProblem problem = MakePoseProblem({0, 0, 0}, 200);
+  auto planes = MakePlanes(problem.truth, 3);
+  for (PlaneObservation& plane : planes) plane.weight = 1;
+  for (size_t i = 0; i < planes.size(); i += 5) planes[i].offset += 1;
+  const PoseEstimate estimate = OptimizePose(problem.guess, problem.observations, problem.projection, planes);
+  EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 0.005);
+}
+
+TEST(OptimizePose, SaysHowUnsureThePlaceIs) {
+  const PoseProblem problem = MakePoseProblem({1, 0, 0}, 400);
+  const double sigma = Optimize(problem).SigmaOfPlace();
+  EXPECT_GT(sigma, 0);
+  PoseProblem fewer = problem;
+  fewer.observations.resize(100);
+  EXPECT_NEAR(Optimize(fewer).SigmaOfPlace() / sigma, 2, 0.5);
+  EXPECT_TRUE(std::isinf(PoseEstimate().SigmaOfPlace()));
+}
+
 TEST(OptimizePose, DoesNotDependOnTheOrder) {
   PoseProblem problem = MakePoseProblem({1, 0.3, 0.5}, 200);
   const PoseEstimate a = Optimize(problem);

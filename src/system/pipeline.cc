@@ -92,10 +92,10 @@ void MarkMoving(const std::vector<Keypoint>& points, const Places& moving, std::
   }
 }
 
-/// Whether moving things took nearly all points: those that were extracted are spread over the whole picture, and what
-/// is left of it has more to give.
+/// Whether moving things took most points: those that were extracted are spread over the whole picture, and what is
+/// left of it has more to give.
 bool NeedsSecondLook(const FrameRecord& record) {
-  constexpr int kShare = 4;
+  constexpr int kShare = 2;
   return record.num_removed > 0 && kShare * (record.num_extracted - record.num_removed) < record.num_extracted;
 }
 
@@ -224,7 +224,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   if (follows_bodies_ && record.num_removed > 0) {
     suspects = Kept(features, [&](size_t i) { return is_dynamic(i) && !areas.Ignores(features.keypoints[i]); });
   }
-  if (follows_bodies_ && NeedsSecondLook(record)) {
+  if (NeedsSecondLook(record)) {
     const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
     features = builder_.ExtractAgain(may_use);
   } else if (record.num_removed > 0) {
@@ -256,7 +256,7 @@ std::optional<Proposal> Pipeline::Track(Extracted& extracted) {
   const Stopwatch watch;
   const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
   const MapSnapshot map = view_.Get();
-  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, extracted.depth);
+  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, std::move(extracted.depth));
   const Places moving = PlacesOf(tracked.moving);
   const int num_new = static_cast<int>(moving.size()) - CountSuspects(*extracted.frame, moving);
   extracted.record.num_static -= num_new;

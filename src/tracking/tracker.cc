@@ -46,9 +46,9 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 
 }  // namespace
 
-Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth) {
-  Tracked tracked =
-      state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog, depth);
+Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, DepthGrid depth) {
+  depth_ = std::move(depth);
+  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
@@ -70,6 +70,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   state_ = TrackingState::kTracking;
   motion_.Forget();
   movers_.Forget();
+  surfaces_.Forget();
   last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), raw_frame};
   was_lost_ = false;
   sought_since_.reset();
@@ -81,9 +82,10 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   return tracked;
 }
 
-Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog, const DepthGrid& depth) {
+Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
   if (last_.frame && IsSamePicture(*raw_frame, *last_.picture)) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
+  FollowKeyframe(map);
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
   Sought sought = FindPose(*frame, map);
   std::optional<Located>& located = sought.located;
@@ -98,14 +100,15 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   NoteMotion(*frame, map, fix);
   if (const FramePtr better = WithoutShutter(raw_frame, motion_.rate()); better != raw_frame) {
     frame = better;
-    fix = Refit(*frame, map, fix);
+    fix = Refit(*frame, map, fix, SurfacesFor(*frame, map, fix));
   }
   frame = WithoutDoubtful(frame, fix);
   Remember(frame, map, *located);
-  tracked.moving = LeaveOutMovers(frame, depth, map, fix);
+  surfaces_.Add(depth_, frame->timestamp, {last_.reference, last_.cam_from_reference});
+  tracked.moving = LeaveOutMovers(frame, map, fix);
   if (!tracked.moving.empty()) Remember(frame, map, *located);
   last_.picture = raw_frame;
-  if (!task_.only_locates) CountGone(*frame, depth, map, *located);
+  if (!task_.only_locates) CountGone(*frame, map, *located);
   tracked.record.reference = last_.reference;
   tracked.record.cam_from_reference = last_.cam_from_reference;
   tracked.record.num_matched = static_cast<int>(fix.num_matched);
@@ -128,6 +131,15 @@ Tracked Tracker::StandStill() {
   tracked.record.cam_from_reference = last_.cam_from_reference;
   tracked.record.num_matched = tracked.record.num_inliers = static_cast<int>(num_matches);
   return tracked;
+}
+
+/// The mapper may have made a keyframe of the frame before: it gave it landmarks and a better pose.
+void Tracker::FollowKeyframe(const Map& map) {
+  const Keyframe* newest = map.Find(map.newest_keyframe());
+  if (!newest || newest->frame != last_.frame) return;
+  last_.matches = newest->landmarks;
+  last_.reference = newest->id;
+  last_.cam_from_reference = Rigid3::Identity();
 }
 
 Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
@@ -154,7 +166,7 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
-  constexpr size_t kEnoughLandmarks = 150;
+  constexpr std::ptrdiff_t kEnoughLandmarks = 150;
   constexpr float kWider = 2, kWidest = 4;
   const Rigid3 last_pose = LastPose(map);
   const Rigid3 predicted = motion_.Predict(last_.frame->timestamp, frame.timestamp) * last_pose;
@@ -166,12 +178,16 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
     if (num_matches < static_cast<std::ptrdiff_t>(kFewMatches)) return false;
     Fix fix = FixFromPoints(frame, guess, points, rows);
     if (NumInliers(fix) < kFewMatches) return false;
+    const Planes planes = SurfacesFor(frame, map, fix);
+    if (!planes.empty()) fix = FixFromPoints(frame, fix.cam_from_world, points, rows, planes);
     if (!best || NumInliers(fix) > NumInliers(*best)) best = std::move(fix);
     return IsConvincing(*best);
   };
 
   std::vector<KnownPoint> points = LandmarksOfLast(map);
-  if (points.size() >= kEnoughLandmarks && search(points, predicted, radius_px)) return best;
+  const auto is_established = [](const KnownPoint& point) { return point.trust > kTrustInNew; };
+  const auto num_established = std::count_if(points.begin(), points.end(), is_established);
+  if (num_established >= kEnoughLandmarks && search(points, predicted, radius_px)) return best;
   AddDepthPointsOfLast(map, points);
   if (search(points, predicted, radius_px) || search(points, predicted, kWider * radius_px)) return best;
   if (search(points, predicted, kWidest * radius_px)) return best;
@@ -236,7 +252,7 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   const auto widening = static_cast<float>(options_.local_widening);
   const std::vector<ExpectedLandmark> expected =
       ExpectLocalLandmarks(map, local, frame, coarse.cam_from_world, coarse.matches, widening);
-  located.fix = FixWithExpected(frame, map, coarse, expected);
+  located.fix = FixWithExpected(frame, map, coarse, expected, SurfacesFor(frame, map, coarse));
   located.visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
   constexpr size_t kFarMore = 3;
@@ -317,7 +333,10 @@ void Tracker::NoteLoss(const Frame& frame, bool was_refused) {
   if (last_.frame) {                   // otherwise it was lost from the beginning
     const double seconds = SecondsBetween(last_.frame->timestamp, frame.timestamp);
     state_ = seconds < options_.lost_after_s ? TrackingState::kRecentlyLost : TrackingState::kLost;
-    if (state_ == TrackingState::kLost) movers_.Forget();
+    if (state_ == TrackingState::kLost) {
+      movers_.Forget();
+      surfaces_.Forget();
+    }
   }
   const bool shows_something = CountPointsWithDepth(frame) >= options_.min_first_points;
   if (shows_something && !sought_since_) sought_since_ = frame.timestamp;

@@ -13,6 +13,7 @@
 #include "localize/place_memory.h"
 #include "map/map.h"
 #include "motion/mover_finder.h"
+#include "motion/surfaces.h"
 #include "tracking/motion_model.h"
 #include "tracking/tracking_options.h"
 
@@ -43,9 +44,9 @@ class Tracker {
         memory_(std::move(vocabulary)),
         state_(task.has_map ? TrackingState::kLost : TrackingState::kNotInitialized) {}
 
-  /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off. What moves is
-  /// looked for where a depth picture is given.
-  Tracked Track(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth = {});
+  /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off. Where a depth
+  /// picture is given, what moves is looked for, and surfaces hold a pose that its points leave unsure.
+  Tracked Track(const FramePtr& frame, const Map& map, size_t backlog, DepthGrid depth = {});
 
  private:
   /// The newest frame whose pose was confirmed.
@@ -71,8 +72,9 @@ class Tracker {
   };
 
   Tracked Begin(const FramePtr& raw_frame, const Map& map);
-  Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog, const DepthGrid& depth);
+  Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
   Tracked StandStill();
+  void FollowKeyframe(const Map& map);
   Sought FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromLastByAppearance(const Frame& frame, const Map& map) const;
@@ -85,8 +87,9 @@ class Tracker {
   bool IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const;
   bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
-  void CountGone(const Frame& frame, const DepthGrid& depth, const Map& map, const Located& located);
-  std::vector<Keypoint> LeaveOutMovers(FramePtr& frame, const DepthGrid& depth, const Map& map, Fix& fix);
+  void CountGone(const Frame& frame, const Map& map, const Located& located);
+  std::vector<Keypoint> LeaveOutMovers(FramePtr& frame, const Map& map, Fix& fix);
+  Planes SurfacesFor(const Frame& frame, const Map& map, const Fix& fix) const;
   void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
   void NoteLoss(const Frame& frame, bool was_refused);
@@ -104,6 +107,8 @@ class Tracker {
   Confirmed last_;
   MotionModel motion_;
   MoverFinder movers_;
+  Surfaces surfaces_;
+  DepthGrid depth_;  ///< of the newest frame
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
   std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something
