@@ -93,10 +93,10 @@ void MarkMoving(const std::vector<Keypoint>& points, const Places& moving, std::
 }
 
 /// Whether moving things took most points: those that were extracted are spread over the whole picture, and what is
-/// left of it has more to give.
-bool NeedsSecondLook(const FrameRecord& record) {
-  constexpr int kShare = 2;
-  return record.num_removed > 0 && kShare * (record.num_extracted - record.num_removed) < record.num_extracted;
+/// left of it has more to give. Where suspects are kept, fewer others will do.
+bool NeedsSecondLook(const FrameRecord& record, bool keeps_suspects) {
+  const int share = keeps_suspects ? 4 : 2;
+  return record.num_removed > 0 && share * (record.num_extracted - record.num_removed) < record.num_extracted;
 }
 
 }  // namespace
@@ -224,7 +224,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   if (follows_bodies_ && record.num_removed > 0) {
     suspects = Kept(features, [&](size_t i) { return is_dynamic(i) && !areas.Ignores(features.keypoints[i]); });
   }
-  if (NeedsSecondLook(record)) {
+  if (NeedsSecondLook(record, follows_bodies_)) {
     const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
     features = builder_.ExtractAgain(may_use);
   } else if (record.num_removed > 0) {

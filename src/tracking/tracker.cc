@@ -24,6 +24,10 @@ bool IsConvincing(const Fix& fix) {
   return static_cast<double>(NumInliers(fix)) >= kShare * static_cast<double>(fix.num_matched);
 }
 
+size_t CountValid(const std::vector<LandmarkId>& matches) {
+  return static_cast<size_t>(std::count_if(matches.begin(), matches.end(), [](LandmarkId id) { return id.IsValid(); }));
+}
+
 int CountPointsWithDepth(const Frame& frame) {
   const auto end = frame.depth.end() - static_cast<std::ptrdiff_t>(frame.num_suspects);
   return static_cast<int>(std::count_if(frame.depth.begin(), end, [](float d) { return d > 0; }));
@@ -71,7 +75,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   motion_.Forget();
   movers_.Forget();
   surfaces_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), raw_frame};
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, raw_frame};
   was_lost_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -125,11 +129,9 @@ Tracked Tracker::StandStill() {
   // One picture, one pose. Where the camera is by now nobody knows; the motion model starts anew after the pause.
   Tracked tracked;
   state_ = TrackingState::kTracking;
-  const auto num_matches =
-      std::count_if(last_.matches.begin(), last_.matches.end(), [](LandmarkId id) { return id.IsValid(); });
   tracked.record.reference = last_.reference;
   tracked.record.cam_from_reference = last_.cam_from_reference;
-  tracked.record.num_matched = tracked.record.num_inliers = static_cast<int>(num_matches);
+  tracked.record.num_matched = tracked.record.num_inliers = static_cast<int>(CountValid(last_.matches));
   return tracked;
 }
 
@@ -166,7 +168,7 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
-  constexpr std::ptrdiff_t kEnoughLandmarks = 150;
+  constexpr size_t kEnoughLandmarks = 150;
   constexpr float kWider = 2, kWidest = 4;
   const Rigid3 last_pose = LastPose(map);
   const Rigid3 predicted = motion_.Predict(last_.frame->timestamp, frame.timestamp) * last_pose;
@@ -185,9 +187,7 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
   };
 
   std::vector<KnownPoint> points = LandmarksOfLast(map);
-  const auto is_established = [](const KnownPoint& point) { return point.trust > kTrustInNew; };
-  const auto num_established = std::count_if(points.begin(), points.end(), is_established);
-  if (num_established >= kEnoughLandmarks && search(points, predicted, radius_px)) return best;
+  if (last_.num_found >= kEnoughLandmarks && search(points, predicted, radius_px)) return best;
   AddDepthPointsOfLast(map, points);
   if (search(points, predicted, radius_px) || search(points, predicted, kWider * radius_px)) return best;
   if (search(points, predicted, kWidest * radius_px)) return best;
@@ -325,7 +325,12 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
   const Fix& fix = located.fix;
   const KeyframeId reference =
       located.local.reference.IsValid() ? located.local.reference : map.Surviving(last_.reference);
-  last_ = {frame, reference, fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(), fix.matches, frame};
+  last_ = {frame,
+           reference,
+           fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(),
+           fix.matches,
+           CountValid(fix.matches),
+           frame};
 }
 
 void Tracker::NoteLoss(const Frame& frame, bool was_refused) {

@@ -55,7 +55,8 @@ class Tracker {
     KeyframeId reference;
     Rigid3 cam_from_reference;
     std::vector<LandmarkId> matches;
-    FramePtr picture;  ///< the frame as it came, with all of its points
+    size_t num_found = 0;  ///< of `matches`, before a keyframe that was made of the frame brought more
+    FramePtr picture;      ///< the frame as it came, with all of its points
   };
 
   /// A pose that the map confirms.
