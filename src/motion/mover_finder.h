@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Room: motion. Finds by geometry alone what moves against a pose: whatever is where the camera saw through before.
-// Takes: depth pictures, poses, map snapshots (for where keyframes are). Gives: MovingCells. Owns: the depth pictures
-// of the last seconds. Runs on: whichever thread calls. May not: know detectors, estimate poses, change the map.
+// Takes: depth pictures, poses, map snapshots (for where keyframes are). Gives: MovingCells, and planes for poses
+// (Surfaces). Owns: the depth pictures of the last seconds. Runs on: whichever thread calls. May not: know detectors,
+// estimate poses, change the map.
 #pragma once
 
 #include <deque>

@@ -76,7 +76,7 @@ std::vector<CellPast> PastViews::Compare(const DepthGrid& grid, const Rig& rig, 
                                          const Map& map) const {
   std::vector<CellPast> cells(grid.surface.size());
   const Rigid3 world_from_cam = cam_from_world.Inverse();
-  for (const View& view : views_) {
+  for (const DepthView& view : views_) {
     const auto past_from_world = view.place.CamFromWorld(map);
     if (!past_from_world || view.grid.columns != grid.columns || view.grid.rows != grid.rows) continue;
     CompareWith(view.grid, grid, rig, {rig.camera, *past_from_world * world_from_cam}, cells);

@@ -23,6 +23,13 @@ struct CameraPlace {
   }
 };
 
+/// A depth picture, when it was taken and from where.
+struct DepthView {
+  Timestamp at;
+  CameraPlace place;
+  DepthGrid grid;
+};
+
 /// What earlier views of a place say of a cell.
 struct CellPast {
   uint8_t num_compared = 0;       ///< views that saw anything at all there
@@ -53,12 +60,7 @@ class PastViews {
   void Forget() { views_.clear(); }
 
  private:
-  struct View {
-    Timestamp at;
-    CameraPlace place;
-    DepthGrid grid;
-  };
-  std::deque<View> views_;  ///< in the order of time
+  std::deque<DepthView> views_;  ///< in the order of time
 };
 
 }  // namespace yorb

@@ -74,7 +74,7 @@ void Surfaces::Add(const DepthGrid& grid, Timestamp at, const CameraPlace& place
 std::vector<PlaneObservation> Surfaces::Pair(const DepthGrid& grid, const Rig& rig, const Rigid3& cam_from_world,
                                              const Map& map) const {
   std::vector<PlaneObservation> pairs;
-  for (const View& view : views_) {
+  for (const DepthView& view : views_) {
     const auto past_from_world = view.place.CamFromWorld(map);
     if (!past_from_world || view.grid.columns != grid.columns || view.grid.rows != grid.rows) continue;
     const Rigid3 past_from_cam = *past_from_world * cam_from_world.Inverse();

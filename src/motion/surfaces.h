@@ -28,12 +28,7 @@ class Surfaces {
   static constexpr double kMostWeight = 200;
 
  private:
-  struct View {
-    Timestamp at;
-    CameraPlace place;
-    DepthGrid grid;
-  };
-  std::deque<View> views_;  ///< in the order of time
+  std::deque<DepthView> views_;  ///< in the order of time
 };
 
 }  // namespace yorb
