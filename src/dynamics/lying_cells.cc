@@ -12,6 +12,7 @@ constexpr float kMostTangent = 12;     // what is steeper is an edge
 constexpr float kFocalOfWidth = 0.9f;  // pictures are about 60 degrees wide
 constexpr int kReach = 2;              // cells up and down, over which the slope is measured
 constexpr int kThin = 5;               // cells; thinner things are not marked
+constexpr double kSmallM2 = 0.08;      // as seen from the front; a belly or a lap is no desk
 
 /// Tangent of the slope between two cells of a column, one above the other.
 float Tangent(float upper_m, float lower_m, float focal_cells) {
@@ -25,6 +26,25 @@ bool IsLying(const DepthCells& depth, int column, int row, float focal_cells) {
   const float above = Tangent(upper, middle, focal_cells), below = Tangent(middle, lower, focal_cells);
   const float half = kLeastTangent / 2;
   return above > half && below > half && above + below > 2 * kLeastTangent && above + below < 2 * kMostTangent;
+}
+
+/// Takes out patches that are too small for a desk.
+void ClearSmall(cv::Mat& mask, const DepthCells& depth, double focal_cells) {
+  cv::Mat labels;
+  const int num_labels = cv::connectedComponents(mask, labels, 4, CV_32S);
+  std::vector<double> area_m2(static_cast<size_t>(num_labels), 0);
+  const auto label_at = [&](int row, int column) { return static_cast<size_t>(labels.at<int>(row, column)); };
+  for (int row = 0; row < mask.rows; ++row) {
+    for (int column = 0; column < mask.cols; ++column) {
+      const double side_m = static_cast<double>(depth.At(column, row)) / focal_cells;
+      area_m2[label_at(row, column)] += side_m * side_m;
+    }
+  }
+  for (int row = 0; row < mask.rows; ++row) {
+    for (int column = 0; column < mask.cols; ++column) {
+      if (area_m2[label_at(row, column)] < kSmallM2) mask.at<uint8_t>(row, column) = 0;
+    }
+  }
 }
 
 }  // namespace
@@ -42,6 +62,7 @@ CellMask MarkLying(const DepthCells& depth) {
   const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {kThin, kThin});
   cv::morphologyEx(cells, cells, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));  // holes
   cv::morphologyEx(cells, cells, cv::MORPH_OPEN, square);
+  ClearSmall(cells, depth, static_cast<double>(focal_cells));
   return mask;
 }
 

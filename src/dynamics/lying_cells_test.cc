@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/random.h"
@@ -58,6 +59,20 @@ TEST(LyingCells, TellsADeskFromWhatStands) {
   EXPECT_GT(marked[0] / num[0], 0.7) << "the desk, but for where it is seen from straight above";
   EXPECT_LT(marked[1] / num[1], 0.02) << "the wall";
   EXPECT_LT(marked[2] / num[2], 0.02) << "the column";
+}
+
+TEST(LyingCells, ABellyIsNoDesk) {
+  // Somebody who stands half a metre away and leans back: a hand's breadth of the trunk comes nearer further down.
+  DepthImage depth{cv::Mat(kHeight, kWidth, CV_16UC1), kMetresPerUnit};
+  for (int y = 0; y < kHeight; ++y) {
+    const double metres = 0.5 - 0.12 * std::clamp((y - 180) / 100.0, 0.0, 1.0);
+    for (int x = 0; x < kWidth; ++x) {
+      const bool is_body = x > 250 && x < 390;
+      depth.pixels.at<uint16_t>(y, x) = static_cast<uint16_t>((is_body ? metres : kWallM) / kMetresPerUnit);
+    }
+  }
+  const CellMask lying = MarkLying(DepthCells(depth));
+  EXPECT_EQ(std::count(lying.begin(), lying.end(), kLying), 0);
 }
 
 }  // namespace
