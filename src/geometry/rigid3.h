@@ -11,6 +11,9 @@
 
 namespace yorb {
 
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
 /// A rotation followed by a translation: `x_in_b = b_from_a * x_in_a`.
 struct Rigid3 {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< always of unit length

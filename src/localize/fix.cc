@@ -9,8 +9,8 @@ namespace yorb {
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
                   const std::vector<int>& rows, const Planes& planes) {
   std::vector<PoseObservation> observations;
-  std::vector<size_t> indices;
-  for (size_t i = 0; i < rows.size(); ++i) {
+  std::vector<uint32_t> indices;
+  for (uint32_t i = 0; i < rows.size(); ++i) {
     if (rows[i] < 0) continue;
     const auto row = static_cast<size_t>(rows[i]);
     observations.push_back({points[row].x_in_world, Observed(frame, i), points[row].trust});
@@ -22,39 +22,61 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
   fix.cam_from_world = estimate.cam_from_world;
   fix.matches.resize(frame.size());
   fix.sigma_m = estimate.SigmaOfPlace();
+  fix.plane_information = estimate.plane_information;
   fix.num_matched = observations.size();
   for (size_t k = 0; k < observations.size(); ++k) {
     if (!estimate.is_inlier[k]) continue;
-    const LandmarkId landmark = points[static_cast<size_t>(rows[indices[k]])].landmark;
-    fix.matches[indices[k]] = landmark;
-    (landmark.IsValid() ? fix.num_inliers : fix.num_inliers_by_depth) += 1;
+    const KnownPoint& point = points[static_cast<size_t>(rows[indices[k]])];
+    if (point.landmark.IsValid()) {
+      fix.matches[indices[k]] = point.landmark;
+      ++fix.num_inliers;
+    } else {
+      fix.by_depth.push_back({indices[k], point.x_in_world});
+    }
   }
   return fix;
 }
 
 Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches,
-                     const Planes& planes) {
+                     const std::vector<DepthPoint>& by_depth, const Planes& planes) {
   std::vector<KnownPoint> points;
   std::vector<int> rows(frame.size(), -1);
+  const auto add = [&](size_t row, const KnownPoint& point) {
+    rows[row] = static_cast<int>(points.size());
+    points.push_back(point);
+  };
   for (size_t i = 0; i < matches.size(); ++i) {
     const Landmark* landmark = map.Find(matches[i]);
     if (!landmark) continue;
-    rows[i] = static_cast<int>(points.size());
     KnownPoint point;
     point.x_in_world = landmark->position;
     point.landmark = landmark->id;
     point.trust = TrustIn(*landmark, map);
-    points.push_back(point);
+    add(i, point);
+  }
+  for (const DepthPoint& known : by_depth) {
+    if (rows[known.row] >= 0) continue;
+    KnownPoint point;
+    point.x_in_world = known.x_in_world;
+    add(known.row, point);
   }
   return FixFromPoints(frame, guess, points, rows, planes);
 }
 
 Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes) {
   constexpr double kMinKept = 0.8;
-  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches, planes);
+  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches, fix.by_depth, planes);
   again.num_matched = fix.num_matched;
-  const bool is_same = static_cast<double>(again.num_inliers) >= kMinKept * static_cast<double>(fix.num_inliers);
-  return is_same && fix.num_inliers_by_depth == 0 ? again : fix;
+  const bool is_same = static_cast<double>(again.num_in_all()) >= kMinKept * static_cast<double>(fix.num_in_all());
+  return is_same ? again : fix;
+}
+
+Matrix6d BesideLandmarks(const Frame& frame, const Fix& fix) {
+  std::vector<PoseObservation> observations;
+  for (const DepthPoint& point : fix.by_depth) {
+    observations.push_back({point.x_in_world, Observed(frame, point.row), kTrustInNew});
+  }
+  return fix.plane_information + InformationAt(fix.cam_from_world, observations, Projection(*frame.rig));
 }
 
 }  // namespace yorb

@@ -10,23 +10,32 @@
 
 namespace yorb {
 
+/// A point of the frame before that is no landmark, known by its depth, and the keypoint that sees it now.
+struct DepthPoint {
+  uint32_t row = 0;
+  Eigen::Vector3d x_in_world;
+};
+
 /// A frame's pose and what speaks for it.
 struct Fix {
   Rigid3 cam_from_world;
   std::vector<LandmarkId> matches;  ///< a row a keypoint of the frame; inliers of the last optimisation only
   /// How unsure the points leave the place, in metres, if they err each by itself: one standard deviation.
   double sigma_m = 0;
-  size_t num_matched = 0;           ///< before outliers were taken out
-  size_t num_inliers = 0;           ///< of landmarks
-  size_t num_inliers_by_depth = 0;  ///< of points of the frame before that are no landmarks
+  Matrix6d plane_information = Matrix6d::Zero();  ///< of the surfaces, as in PoseEstimate
+  std::vector<DepthPoint> by_depth;               ///< inliers too, by rising rows, where `matches` has no landmark
+  size_t num_matched = 0;                         ///< before outliers were taken out
+  size_t num_inliers = 0;                         ///< of landmarks
+
+  size_t num_in_all() const { return num_inliers + by_depth.size(); }
 };
 
 using Planes = std::vector<PlaneObservation>;
 
-/// Optimises a pose on landmarks (`matches`, a row a keypoint) and on what surfaces say (`planes`), and gives it with
-/// the inliers.
+/// Optimises a pose on landmarks (`matches`, a row a keypoint), on points of the frame before where there is none
+/// (`by_depth`) and on what surfaces say (`planes`), and gives it with the inliers.
 Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches,
-                     const Planes& planes = {});
+                     const std::vector<DepthPoint>& by_depth, const Planes& planes = {});
 
 /// The pose anew on the inliers of a fix, whose keypoints have moved a little. The fix itself where that loses most.
 Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes = {});
@@ -34,5 +43,9 @@ Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& plan
 /// The same on known points (`rows`: for each keypoint a row of `points`, or -1).
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
                   const std::vector<int>& rows, const Planes& planes = {});
+
+/// What a fix rests on that a bundle of landmarks does not know, surfaces and points of the frame before: J^T W J for
+/// the step of Rigid3::FromStep.
+Matrix6d BesideLandmarks(const Frame& frame, const Fix& fix);
 
 }  // namespace yorb

@@ -48,8 +48,30 @@ TEST(Fix, WhatStoodForLongOutweighsMoreThatIsNew) {
     matches[i] = made.landmarks[point];
     if (made.is_new[point] && matches[i].IsValid()) made.map.SetPosition(matches[i], world.Position(point) + moved);
   }
-  const Fix fix = FixFromLandmarks(*view.frame, made.map, Rigid3::Identity(), matches);
+  const Fix fix = FixFromLandmarks(*view.frame, made.map, Rigid3::Identity(), matches, {});
   EXPECT_LT(fix.cam_from_world.translation.norm(), 0.005) << "nearer to the old ones, which are half as many";
+}
+
+TEST(Fix, PointsOfTheFrameBeforeStandInWhereThereIsNoLandmark) {
+  const SyntheticWorld world(4);
+  const OldAndNew made = MapOf(world);
+  const auto view = world.Look(Rigid3::Identity(), FrameId(9), Timestamp{int64_t{4'000'000'000}});
+  std::vector<LandmarkId> matches(view.frame->size());
+  std::vector<DepthPoint> by_depth;
+  for (uint32_t i = 0; i < view.points.size(); ++i) {
+    if (i % 4 == 0) matches[i] = made.landmarks[view.points[i]];
+    if (i % 2 == 0) by_depth.push_back({i, world.Position(view.points[i])});
+  }
+  const Fix fix = FixFromLandmarks(*view.frame, made.map, Rigid3::Identity(), matches, by_depth);
+  EXPECT_EQ(fix.num_in_all(), fix.num_inliers + fix.by_depth.size());
+  EXPECT_GT(fix.num_inliers, 50u);
+  EXPECT_GT(fix.by_depth.size(), 50u);
+  for (const DepthPoint& point : fix.by_depth) EXPECT_FALSE(matches[point.row].IsValid());
+  // What landmarks say is not said twice.
+  Fix by_landmarks = fix;
+  by_landmarks.by_depth.clear();
+  EXPECT_TRUE(BesideLandmarks(*view.frame, by_landmarks).isZero());
+  EXPECT_GT(BesideLandmarks(*view.frame, fix).diagonal().minCoeff(), 0);
 }
 
 }  // namespace

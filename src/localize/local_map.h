@@ -24,7 +24,7 @@ std::vector<ExpectedLandmark> ExpectLocalLandmarks(const Map& map, const LocalMa
                                                    const Rigid3& cam_from_world, const std::vector<LandmarkId>& matches,
                                                    float widening);
 
-/// The pose anew, on the matches so far and the expected landmarks that are found among the other keypoints.
+/// The pose anew, on what it rested on so far and the expected landmarks that are found among the other keypoints.
 Fix FixWithExpected(const Frame& frame, const Map& map, const Fix& coarse,
                     const std::vector<ExpectedLandmark>& expected, const Planes& planes = {});
 

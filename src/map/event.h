@@ -52,6 +52,15 @@ struct LandmarkCount {
   int visible = 0, found = 0, gone = 0;
 };
 
+/// What is known of how a keyframe lies to another one beside the landmarks that both see.
+struct Tie {
+  KeyframeId other;
+  Rigid3 cam_from_other;
+  /// Of the step by which the pose may be off: `cam_from_world = Rigid3::FromStep(step) * cam_from_other *
+  /// other_from_world`. Zero: nothing is known.
+  Matrix6d information = Matrix6d::Zero();
+};
+
 /// What the tracker asks of the map: this frame should be a keyframe. The tracker itself writes nothing.
 struct Proposal {
   FramePtr frame;
@@ -59,6 +68,7 @@ struct Proposal {
   Rigid3 cam_from_reference;
   std::vector<LandmarkId> matches;  ///< a row a keypoint; inliers only
   std::vector<LandmarkCount> counts;
+  Matrix6d information = Matrix6d::Zero();  ///< of cam_from_reference beside the landmarks, as in Tie
 };
 
 }  // namespace yorb

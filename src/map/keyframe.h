@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "features/frame.h"
@@ -28,6 +29,7 @@ struct Keyframe {
   KeyframeId parent;                  ///< in the spanning tree; not valid for the root
   std::vector<KeyframeId> children;
   std::shared_ptr<const Bag> bag;  ///< the words of its descriptors; null: not known
+  std::optional<Tie> tie;          ///< to an older keyframe
   std::vector<KeyframeId> loops;   ///< keyframes that were found to show the same place when a loop was closed
 
   /// The neighbours that share at least `min_weight` landmarks, the strongest first, `count` at most.

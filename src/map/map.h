@@ -91,11 +91,11 @@ class Map {
   void Merge(LandmarkId from, LandmarkId into);
 
   void Remove(LandmarkId id);
-
   /// Its views go, its children find a new parent, its pose stays answerable. Not for a root.
   void Remove(KeyframeId id);
 
   void SetPose(KeyframeId id, const Rigid3& cam_from_world) { keyframes_.Writable(id).cam_from_world = cam_from_world; }
+  void SetTie(KeyframeId id, const Tie& tie) { keyframes_.Writable(id).tie = tie; }
   void SetBag(KeyframeId id, std::shared_ptr<const Bag> bag) { keyframes_.Writable(id).bag = std::move(bag); }
   void SetPosition(LandmarkId id, const Eigen::Vector3d& x_in_world) { landmarks_.Writable(id).position = x_in_world; }
 

@@ -11,6 +11,10 @@ KeyframeId InsertKeyframe(Map& map, const Proposal& proposal) {
   Rigid3 cam_from_world = proposal.cam_from_reference;
   if (proposal.reference.IsValid()) cam_from_world = cam_from_world * *map.CamFromWorld(proposal.reference);
   const KeyframeId id = map.AddKeyframe(proposal.frame, cam_from_world, reference);
+  if (reference.IsValid() && !proposal.information.isZero()) {
+    const Rigid3 cam_from_reference = cam_from_world * map.Find(reference)->cam_from_world.Inverse();
+    map.SetTie(id, {reference, cam_from_reference, proposal.information});
+  }
   for (const LandmarkCount& count : proposal.counts) map.Count(map.Resolve(count.id), count.visible, count.found);
   for (uint32_t i = 0; i < proposal.matches.size(); ++i) {
     if (!proposal.matches[i].IsValid()) continue;

@@ -155,5 +155,22 @@ TEST(CullKeyframes, RemovesOneOfManyThatSeeTheSame) {
   EXPECT_NE(map.Find(KeyframeId(0)), nullptr);
 }
 
+TEST(InsertKeyframe, KeepsWhatTheTrackerKnowsBesideLandmarks) {
+  const SyntheticWorld world(1);
+  const auto view = world.Look(CameraAt(0), FrameId(0), Timestamp{0});
+  const auto next = world.Look(CameraAt(0.05), FrameId(1), Timestamp{33});
+  Map map;
+  const KeyframeId first = InsertKeyframe(map, First(view));
+  EXPECT_FALSE(map.Find(first)->tie);
+  Proposal proposal{next.frame, first, CameraAt(0.05), std::vector<LandmarkId>(next.frame->size()), {}};
+  EXPECT_FALSE(map.Find(InsertKeyframe(map, proposal))->tie) << "nothing is known";
+  proposal.information = 7 * Matrix6d::Identity();
+  const KeyframeId tied = InsertKeyframe(map, proposal);
+  ASSERT_TRUE(map.Find(tied)->tie);
+  EXPECT_EQ(map.Find(tied)->tie->other, first);
+  EXPECT_EQ(map.Find(tied)->tie->information, proposal.information);
+  EXPECT_LT((map.Find(tied)->tie->cam_from_other.translation - CameraAt(0.05).translation).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace yorb

@@ -25,7 +25,7 @@ class Surfaces {
 
   void Forget() { views_.clear(); }
 
-  static constexpr double kMostWeight = 200;
+  static constexpr double kMostWeight = 600;
 
  private:
   std::deque<DepthView> views_;  ///< in the order of time

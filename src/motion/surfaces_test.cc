@@ -102,5 +102,16 @@ TEST_F(SurfacesTest, WithoutADepthPictureSaysNothing) {
   EXPECT_TRUE(surfaces_.Pair({}, rig_, Rigid3::Identity(), map_).empty());
 }
 
+TEST_F(SurfacesTest, WithoutPointsAWallSaysHowFarItIsAndTheRestIsAsExpected) {
+  Remember(kWall);
+  const DepthGrid grid = See(truth_, kWall);
+  const ExpectedPose expected{Rigid3::Identity(), 1000 * Matrix6d::Identity()};
+  Rigid3 pose;
+  for (int turn = 0; turn < 5; ++turn) pose = AlignToPlanes(pose, surfaces_.Pair(grid, rig_, pose, map_), expected);
+  const Eigen::Vector3d centre = pose.OriginInSource();
+  EXPECT_LT(std::abs(centre.z() - truth_.OriginInSource().z()), 0.01) << "how far the wall is";
+  EXPECT_LT(centre.head<2>().norm(), 0.03) << "where along the wall: about as expected";
+}
+
 }  // namespace
 }  // namespace yorb

@@ -7,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace yorb {
+#include "geometry/rigid3.h"
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
+namespace yorb {
 
 /// Which 6x6 blocks of a symmetric matrix occur, in the upper half: row <= column. The first `size` are the diagonal,
 /// the others follow by row and then by column.

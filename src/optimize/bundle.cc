@@ -17,6 +17,9 @@ void CheckRows(const BundleProblem& problem) {
   for (const BundleProblem::Seen& seen : problem.seen) {
     YORB_CHECK(seen.pose < problem.poses.size() && seen.point < problem.points.size(), "an observation of no row");
   }
+  for (const BundleProblem::Tie& tie : problem.ties) {
+    YORB_CHECK(tie.from < problem.poses.size() && tie.to < problem.poses.size(), "a tie of no row");
+  }
 }
 
 /// Observations that are whole: nothing in them, in their pose or in their point is NaN or infinite.

@@ -17,11 +17,19 @@ struct BundleProblem {
     uint32_t pose = 0, point = 0;  ///< rows of `poses` and `points`
     Observation observation;
   };
+  /// What else is known of two poses: `poses[to] = FromStep(error) * to_from_from * poses[from]`, and the cost is half
+  /// of error^T * information * error.
+  struct Tie {
+    uint32_t from = 0, to = 0;
+    Rigid3 to_from_from;
+    Matrix6d information;
+  };
   Projection projection;
   std::vector<Rigid3> poses;   ///< cam_from_world
   std::vector<bool> is_fixed;  ///< a row a pose; at least one is fixed, or the problem floats
   std::vector<Eigen::Vector3d> points;
   std::vector<Seen> seen;
+  std::vector<Tie> ties;
 };
 
 struct BundleOptions {

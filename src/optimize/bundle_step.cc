@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "optimize/levenberg_marquardt.h"
+#include "optimize/relative_pose.h"
 
 namespace yorb {
 namespace {
@@ -36,6 +37,11 @@ void SubtractOuter(const Eigen::Matrix<double, 6, 3>& a, const Eigen::Matrix<dou
   for (int j = 0; j < 6; ++j) block.col(j) -= a0 * b(j, 0) + a1 * b(j, 1) + a2 * b(j, 2);
 }
 
+double CostOf(const BundleProblem::Tie& tie, const BundleValues& values) {
+  const Vector6d error = RelativePoseError(values.poses[tie.to], values.poses[tie.from], tie.to_from_from.Inverse());
+  return 0.5 * error.dot(tie.information * error);
+}
+
 }  // namespace
 
 void BundleStepper::Begin(const BundleStructure& structure, bool use_huber) {
@@ -43,6 +49,7 @@ void BundleStepper::Begin(const BundleStructure& structure, bool use_huber) {
   use_huber_ = use_huber;
   pose_hessians_.resize(structure.free_poses.size());
   pose_gradients_.resize(structure.free_poses.size());
+  tie_blocks_.resize(structure.ties.size());
   point_blocks_.resize(structure.points.size());
   link_blocks_.resize(structure.links.size());
   eliminated_.resize(structure.links.size());
@@ -73,6 +80,7 @@ double BundleStepper::Cost(const BundleValues& values) {
       cost += RobustLoss(chi2, Chi2Bound(entry.observation), use_huber_).cost;
     }
   }
+  for (const BundleStructure::Tie& tie : structure_->ties) cost += CostOf(tie.tie, values);
   return cost;
 }
 
@@ -86,7 +94,33 @@ double BundleStepper::Linearize(const BundleValues& values) {
     const BundleStructure::Point& point = structure_->points[k];
     LinearizePoint(point, values.points[point.row], point_blocks_[k]);
   }
+  LinearizeTies(values);
   return cost_;
+}
+
+void BundleStepper::LinearizeTies(const BundleValues& values) {
+  constexpr uint32_t kNone = BundleStructure::kNone;
+  for (size_t k = 0; k < structure_->ties.size(); ++k) {
+    const BundleStructure::Tie& tie = structure_->ties[k];
+    // The error seen from `to`, where the information is; its sign does not matter.
+    const RelativePoseJacobians j =
+        LinearizeRelativePose(values.poses[tie.tie.to], values.poses[tie.tie.from], tie.tie.to_from_from.Inverse());
+    const Matrix6d &by_to = j.by_from, &by_from = j.by_to;
+    const Vector6d pull = tie.tie.information * j.error;
+    cost_ += 0.5 * j.error.dot(pull);
+    if (tie.free_to != kNone) {
+      pose_hessians_[tie.free_to] += by_to.transpose() * tie.tie.information * by_to;
+      pose_gradients_[tie.free_to] += by_to.transpose() * pull;
+    }
+    if (tie.free_from != kNone) {
+      pose_hessians_[tie.free_from] += by_from.transpose() * tie.tie.information * by_from;
+      pose_gradients_[tie.free_from] += by_from.transpose() * pull;
+    }
+    if (tie.slot == kNone) continue;
+    const bool is_from_first = tie.free_from < tie.free_to;
+    const Matrix6d &first = is_from_first ? by_from : by_to, &second = is_from_first ? by_to : by_from;
+    tie_blocks_[k] = first.transpose() * tie.tie.information * second;
+  }
 }
 
 void BundleStepper::LinearizePoint(const BundleStructure::Point& point, const Eigen::Vector3d& x_in_world,
@@ -123,6 +157,10 @@ bool BundleStepper::Solve(double damping) {
     system_.blocks[k] = pose_hessians_[k];  // the diagonal comes first in the pattern
     system_.blocks[k].diagonal() += damping * DampingScale(pose_hessians_[k]);
     system_.right[k] = -pose_gradients_[k];
+  }
+  for (size_t k = 0; k < tie_blocks_.size(); ++k) {
+    const uint32_t slot = structure_->ties[k].slot;
+    if (slot != BundleStructure::kNone) system_.blocks[slot] += tie_blocks_[k];
   }
   for (size_t k = 0; k < point_blocks_.size(); ++k) {
     if (!Eliminate(structure_->points[k], damping, point_blocks_[k])) return false;

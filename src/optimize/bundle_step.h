@@ -50,6 +50,7 @@ class BundleStepper {
   };
 
   void SetRotations(const BundleValues& values);
+  void LinearizeTies(const BundleValues& values);
   void LinearizePoint(const BundleStructure::Point& point, const Eigen::Vector3d& x_in_world, PointBlock& block);
   bool Eliminate(const BundleStructure::Point& point, double damping, PointBlock& block);
   void BackSubstitute(const BundleStructure::Point& point, PointBlock& block) const;
@@ -61,6 +62,7 @@ class BundleStepper {
   std::vector<Eigen::Vector3d> translations_;
   std::vector<Matrix6d> pose_hessians_;  // a row a free pose; the upper half
   std::vector<Vector6d> pose_gradients_;
+  std::vector<Matrix6d> tie_blocks_;      // a row a tie: the block of (earlier, later) free pose
   std::vector<PointBlock> point_blocks_;  // a row a point of the structure
   std::vector<Matrix63d> link_blocks_;    // J_pose^T W J_point
   std::vector<Matrix63d> eliminated_;     // link_blocks_ * L^-T

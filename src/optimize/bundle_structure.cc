@@ -111,6 +111,40 @@ void CountPairs(BundleStructure& structure) {
   structure.pair_slots.resize(num_pairs);
 }
 
+/// Takes in the ties of poses that are free. Those that are not finite do not count.
+void AddTies(const BundleProblem& problem, const std::vector<uint32_t>& free_of_pose, BundleStructure& structure) {
+  for (const BundleProblem::Tie& tie : problem.ties) {
+    const uint32_t from = free_of_pose[tie.from], to = free_of_pose[tie.to];
+    if (from == BundleStructure::kNone && to == BundleStructure::kNone) continue;
+    const bool is_whole = problem.poses[tie.from].IsFinite() && problem.poses[tie.to].IsFinite() &&
+                          tie.to_from_from.IsFinite() && tie.information.allFinite();
+    if (!is_whole) continue;
+    structure.ties.push_back({tie, from, to});
+  }
+}
+
+/// The free poses that ties join to each free pose, of those after it.
+std::vector<std::vector<uint32_t>> TiedTo(const BundleStructure& structure) {
+  std::vector<std::vector<uint32_t>> tied(structure.free_poses.size());
+  for (const BundleStructure::Tie& tie : structure.ties) {
+    if (tie.free_from == BundleStructure::kNone || tie.free_to == BundleStructure::kNone) continue;
+    tied[std::min(tie.free_from, tie.free_to)].push_back(std::max(tie.free_from, tie.free_to));
+  }
+  return tied;
+}
+
+/// Finds the blocks of the ties in the pattern.
+void PlaceTies(BundleStructure& structure) {
+  const auto& blocks = structure.pattern.blocks;
+  for (BundleStructure::Tie& tie : structure.ties) {
+    if (tie.free_from == BundleStructure::kNone || tie.free_to == BundleStructure::kNone) continue;
+    const auto wanted = std::minmax(tie.free_from, tie.free_to);
+    const auto found = std::lower_bound(blocks.begin() + structure.pattern.size, blocks.end(),
+                                        std::pair<uint32_t, uint32_t>(wanted.first, wanted.second));
+    tie.slot = static_cast<uint32_t>(found - blocks.begin());
+  }
+}
+
 /// Fills the pattern and the pairs, row by row of the reduced system: nothing here grows with the square of the poses.
 void AddPairs(BundleStructure& structure) {
   const auto size = static_cast<uint32_t>(structure.free_poses.size());
@@ -119,8 +153,12 @@ void AddPairs(BundleStructure& structure) {
   structure.pattern.size = size;
   for (uint32_t k = 0; k < size; ++k) structure.pattern.blocks.emplace_back(k, k);
   std::vector<uint32_t> seen_by(size, BundleStructure::kNone), slot_of(size), columns;
+  const std::vector<std::vector<uint32_t>> tied = TiedTo(structure);
   for (uint32_t a = 0; a < size; ++a) {
     columns.clear();
+    for (const uint32_t b : tied[a]) {
+      if (std::exchange(seen_by[b], a) != a) columns.push_back(b);
+    }
     for (size_t k = sorted.begin[a]; k < sorted.begin[a + 1]; ++k) {
       const auto [point, link] = sorted.sights[k];
       for (uint32_t other = link + 1; other < structure.points[point].links_end; ++other) {
@@ -151,7 +189,9 @@ BundleStructure MakeBundleStructure(const BundleProblem& problem, const std::vec
   const std::vector<uint32_t> rows = SortedRows(problem, is_chosen);
   const std::vector<uint32_t> free_of_pose = NumberFreePoses(problem, rows, structure.free_poses);
   AddEntries(problem, rows, free_of_pose, structure);
+  AddTies(problem, free_of_pose, structure);
   AddPairs(structure);
+  PlaceTies(structure);
   return structure;
 }
 

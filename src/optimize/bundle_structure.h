@@ -29,6 +29,13 @@ struct BundleStructure {
     size_t pairs_begin = 0;
   };
 
+  struct Tie {
+    BundleProblem::Tie tie;
+    uint32_t free_from = kNone, free_to = kNone;  ///< rows of `free_poses`, or none: the pose is fixed
+    uint32_t slot = kNone;                        ///< the block of both, if both are free
+  };
+
+  std::vector<Tie> ties;             ///< those with a free pose
   std::vector<Entry> entries;        ///< by point, then by pose
   std::vector<Point> points;         ///< those that are seen
   std::vector<uint32_t> links;       ///< the link's row of `free_poses`; rising within a point

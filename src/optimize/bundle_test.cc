@@ -177,5 +177,63 @@ TEST(AdjustBundle, CountsSeveralSightsOfOnePointFromOnePose) {
   EXPECT_NEAR(result.final_cost, oracle.cost, 1e-6 * oracle.cost);
 }
 
+double CostOf(const BundleProblem& problem, const BundleResult& result) {
+  double cost = PlainCost(problem, result);
+  for (const BundleProblem::Tie& tie : problem.ties) {
+    const Rigid3 off = result.poses[tie.to] * (tie.to_from_from * result.poses[tie.from]).Inverse();
+    Vector6d error;
+    error << VectorFromRotation(off.rotation), off.translation;
+    cost += 0.5 * error.dot(tie.information * error);
+  }
+  return cost;
+}
+
+Matrix6d Stiffness(Random& random) {
+  Matrix6d root;
+  for (int k = 0; k < 36; ++k) root(k) = random.Uniform(-300, 300);
+  return root * root.transpose();
+}
+
+TEST(AdjustBundle, EndsWhereNoSmallStepLowersTheCostOfPointsAndTies) {
+  WorldProblem world = SmallWorld({1, 0, 0.3});
+  Random random(2);
+  BundleProblem& problem = world.problem;
+  for (const auto& [from, to] : {std::pair<uint32_t, uint32_t>{0, 4}, {9, 3}, {2, 8}, {8, 9}, {0, 1}}) {
+    const Rigid3 measured = SmallMotion(random, 0.01, 0.02) * world.true_poses[to] * world.true_poses[from].Inverse();
+    problem.ties.push_back({from, to, measured, Stiffness(random)});
+  }
+  BundleOptions options;
+  options.second_rounds = 1, options.second_iterations = 60, options.relative_tolerance = 1e-14;
+  const BundleResult result = AdjustBundle(problem, options);
+  BundleProblem loose = problem;
+  loose.ties.clear();
+  EXPECT_GT(PoseDistance(AdjustBundle(loose, options).poses[9], result.poses[9]), 1e-4) << "ties pull";
+
+  const double least = CostOf(problem, result);
+  for (uint32_t pose = 0; pose < problem.poses.size(); ++pose) {
+    if (problem.is_fixed[pose]) continue;
+    for (int k = 0; k < 12; ++k) {
+      BundleResult moved = result;
+      moved.poses[pose] = Rigid3::FromStep((k < 6 ? 1e-4 : -1e-4) * Vector6d::Unit(k % 6)) * result.poses[pose];
+      EXPECT_GT(CostOf(problem, moved), least) << pose << " " << k;
+    }
+  }
+}
+
+TEST(AdjustBundle, ATieHoldsAPoseThatItsPointsLeaveOpen) {
+  WorldProblem world = SmallWorld({0, 0, 0});
+  BundleProblem& problem = world.problem;
+  // The last camera sees three points only, without depth.
+  size_t num_left = 3;
+  std::erase_if(problem.seen,
+                [&](const BundleProblem::Seen& seen) { return seen.pose == 9 && (num_left == 0 || num_left-- == 0); });
+  for (BundleProblem::Seen& seen : problem.seen) {
+    if (seen.pose == 9) seen.observation.right_px = std::numeric_limits<double>::quiet_NaN();
+  }
+  const Rigid3 measured = world.true_poses[9] * world.true_poses[8].Inverse();
+  problem.ties.push_back({8, 9, measured, 1e6 * Matrix6d::Identity()});
+  ExpectTruth(world, AdjustBundle(problem, UntilSettled()));
+}
+
 }  // namespace
 }  // namespace yorb

@@ -25,6 +25,18 @@ std::vector<KeyframeId> Surrounding(const Map& map, const std::vector<LandmarkId
   return ids;
 }
 
+/// What keyframes inside are tied to holds them, too.
+void AddOthersOfTies(const Map& map, MapBundlePart& part) {
+  for (const KeyframeId id : part.inside) {
+    const std::optional<Tie>& tie = map.Find(id)->tie;
+    if (!tie || !map.Find(tie->other)) continue;
+    const auto has = [&](const std::vector<KeyframeId>& ids) {
+      return std::find(ids.begin(), ids.end(), tie->other) != ids.end();
+    };
+    if (!has(part.inside) && !has(part.around)) part.around.push_back(tie->other);
+  }
+}
+
 MapBundlePart Neighbourhood(const Map& map, KeyframeId center, const LocalBundleOptions& options) {
   MapBundlePart part;
   part.inside = {center};
@@ -32,6 +44,7 @@ MapBundlePart Neighbourhood(const Map& map, KeyframeId center, const LocalBundle
     part.inside.push_back(id);
   }
   part.around = Surrounding(map, map.SeenBy(part.inside), part.inside, options.max_fixed);
+  AddOthersOfTies(map, part);
   // The first keyframe defines the world; where nothing else is fixed, the oldest of the neighbourhood holds it.
   for (const KeyframeId id : part.inside) {
     if (!map.Find(id)->parent.IsValid()) part.held.push_back(id);

@@ -23,9 +23,15 @@ void AddKeyframe(const Map& map, KeyframeId id, bool is_fixed, NamedProblem& nam
   named.problem.is_fixed.push_back(is_fixed);
 }
 
-void AddLandmarks(const Map& map, NamedProblem& named) {
-  std::unordered_map<KeyframeId, uint32_t> row_of;
-  for (uint32_t row = 0; row < named.keyframes.size(); ++row) row_of[named.keyframes[row]] = row;
+using RowOf = std::unordered_map<KeyframeId, uint32_t>;
+
+RowOf RowsOf(const std::vector<KeyframeId>& keyframes) {
+  RowOf row_of;
+  for (uint32_t row = 0; row < keyframes.size(); ++row) row_of[keyframes[row]] = row;
+  return row_of;
+}
+
+void AddLandmarks(const Map& map, const RowOf& row_of, NamedProblem& named) {
   for (uint32_t row = 0; row < named.landmarks.size(); ++row) {
     const Landmark& landmark = *map.Find(named.landmarks[row]);
     named.problem.points.push_back(landmark.position);
@@ -34,6 +40,16 @@ void AddLandmarks(const Map& map, NamedProblem& named) {
       if (pose == row_of.end()) continue;
       named.problem.seen.push_back({pose->second, row, Observed(*map.Find(view.keyframe)->frame, view.index)});
     }
+  }
+}
+
+/// Ties between keyframes that are there.
+void AddTies(const Map& map, const RowOf& row_of, NamedProblem& named) {
+  for (uint32_t row = 0; row < named.keyframes.size(); ++row) {
+    const std::optional<Tie>& tie = map.Find(named.keyframes[row])->tie;
+    const auto other = tie ? row_of.find(tie->other) : row_of.end();
+    if (other == row_of.end()) continue;
+    named.problem.ties.push_back({other->second, row, tie->cam_from_other, tie->information});
   }
 }
 
@@ -48,7 +64,9 @@ NamedProblem Collect(const Map& map, const MapBundlePart& part) {
   if (!named.keyframes.empty()) {
     named.problem.projection = Projection(*map.Find(named.keyframes.front())->frame->rig);
   }
-  AddLandmarks(map, named);
+  const RowOf row_of = RowsOf(named.keyframes);
+  AddLandmarks(map, row_of, named);
+  AddTies(map, row_of, named);
   return named;
 }
 

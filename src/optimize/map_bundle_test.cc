@@ -135,5 +135,24 @@ TEST_F(MapBundleTest, StopsWhenTold) {
   EXPECT_EQ(bundle.final_cost, bundle.initial_cost);
 }
 
+TEST_F(MapBundleTest, ATieHoldsAKeyframeWhoseLandmarksNobodyElseSees) {
+  const KeyframeId last = keyframes_.back(), other = keyframes_[kKeyframes - 2];
+  const std::vector<LandmarkId> seen = map_.Find(last)->landmarks;
+  for (uint32_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i].IsValid() || map_.Find(seen[i])->views.size() == 1) continue;
+    const Eigen::Vector3d x = map_.Find(seen[i])->position;
+    map_.Unobserve(seen[i], last);
+    map_.AddLandmark(x, last, i);
+  }
+  map_.SetTie(last, {other, truth_.back() * truth_[kKeyframes - 2].Inverse(), 1e6 * Matrix6d::Identity()});
+  ASSERT_EQ(map_.Check(), "");
+  const LocalBundle bundle = AdjustLocally(map_, last, {}, {});
+  const auto of_last =
+      std::find_if(bundle.poses.begin(), bundle.poses.end(), [&](const auto& p) { return p.first == last; });
+  ASSERT_NE(of_last, bundle.poses.end());
+  const Rigid3 wanted = map_.Find(last)->tie->cam_from_other * map_.Find(other)->cam_from_world;
+  EXPECT_LT((of_last->second.OriginInSource() - wanted.OriginInSource()).norm(), 1e-4) << "it goes with the other";
+}
+
 }  // namespace
 }  // namespace yorb

@@ -6,13 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "optimize/relative_pose.h"
 #include "optimize/residuals.h"
 
 namespace yorb {
 namespace {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 constexpr int kRounds = 4;
 constexpr int kMaxIterations = 10;  // a round
@@ -22,6 +20,7 @@ constexpr size_t kMinObservations = 3;
 struct Round {
   std::vector<const PoseObservation*> observations;
   const std::vector<PlaneObservation>* planes = nullptr;  // none
+  const ExpectedPose* expected = nullptr;                 // nothing
   bool use_huber = true;
 };
 
@@ -58,6 +57,15 @@ void AddPlanes(const Rigid3& cam_from_world, const std::vector<PlaneObservation>
   }
 }
 
+/// Adds what was known before.
+void AddExpected(const Rigid3& cam_from_world, const ExpectedPose& expected, Normal& normal) {
+  const RelativePoseJacobians j = LinearizeRelativePose(expected.cam_from_world, cam_from_world, Rigid3::Identity());
+  const Vector6d pull = expected.information * j.error;
+  normal.cost += 0.5 * j.error.dot(pull);
+  normal.hessian.noalias() += j.by_to.transpose() * expected.information * j.by_to;
+  normal.gradient.noalias() += j.by_to.transpose() * pull;
+}
+
 Normal LinearizeAt(const Rigid3& cam_from_world, const Round& round, const Projection& projection) {
   const Eigen::Matrix3d rotation = cam_from_world.rotation.toRotationMatrix();
   // Blocks of the Hessian for (rotation, translation), summed apart: plain 3x3 sums stay in registers.
@@ -79,6 +87,7 @@ Normal LinearizeAt(const Rigid3& cam_from_world, const Round& round, const Proje
   normal.hessian << rr, rt, rt.transpose(), tt;
   normal.gradient << r, t;
   if (round.planes) AddPlanes(cam_from_world, *round.planes, normal);
+  if (round.expected) AddExpected(cam_from_world, *round.expected, normal);
   return normal;
 }
 
@@ -173,7 +182,26 @@ PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseOb
   estimate.num_inliers = inliers.observations.size();
   estimate.cost = normal.cost;
   estimate.information = normal.hessian;
+  Normal of_planes;
+  AddPlanes(pose, planes, of_planes);
+  estimate.plane_information = of_planes.hessian;
   return estimate;
+}
+
+Rigid3 AlignToPlanes(const Rigid3& cam_from_world, const std::vector<PlaneObservation>& planes,
+                     const ExpectedPose& expected) {
+  Round round;
+  round.planes = &planes;
+  round.expected = &expected;
+  return Minimize(cam_from_world, round, Projection());
+}
+
+Matrix6d InformationAt(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
+                       const Projection& projection) {
+  Round round;
+  round.use_huber = false;
+  for (const PoseObservation& o : observations) round.observations.push_back(&o);
+  return LinearizeAt(cam_from_world, round, projection).hessian;
 }
 
 }  // namespace yorb

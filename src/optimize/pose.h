@@ -31,7 +31,8 @@ struct PoseEstimate {
   size_t num_inliers = 0;
   double cost = 0;  ///< half the weighted chi-square of the inliers at the end
   /// J^T W J of the inliers at the end, for (rotation, translation) of the step in Rigid3::FromStep.
-  Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
+  Matrix6d information = Matrix6d::Zero();
+  Matrix6d plane_information = Matrix6d::Zero();  ///< the same of the planes
 
   /// One standard deviation of the place, in metres, as far as the inliers err each by itself; infinite where they
   /// leave it open.
@@ -45,5 +46,21 @@ struct PoseEstimate {
 /// Huber's loss, and are not judged; cost and information are of the points alone.
 PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
                           const Projection& projection, const std::vector<PlaneObservation>& planes = {});
+
+/// A pose that is known beforehand: half of error^T * information * error, for the step from it to another, is the cost
+/// of that.
+struct ExpectedPose {
+  Rigid3 cam_from_world;
+  Matrix6d information;
+};
+
+/// The pose near a given one at which a depth picture lies best on planes and near to what is expected: a wall says
+/// nothing of where along it the camera is.
+Rigid3 AlignToPlanes(const Rigid3& cam_from_world, const std::vector<PlaneObservation>& planes,
+                     const ExpectedPose& expected);
+
+/// J^T W J of observations at a pose, for the step of Rigid3::FromStep.
+Matrix6d InformationAt(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
+                       const Projection& projection);
 
 }  // namespace yorb

@@ -7,6 +7,7 @@
 
 #include "map/synthetic_world.h"
 #include "mapping/mapper.h"
+#include "motion/test_scene.h"
 #include "tracking/tracker.h"
 
 namespace yorb {
@@ -26,8 +27,8 @@ class River {
  public:
   River() : tracker_(TrackingOptions(), 1), mapper_(MappingOptions()), map_(mapper_.Snapshot()) {}
 
-  FrameRecord Push(const FramePtr& frame) {
-    Tracked tracked = tracker_.Track(frame, *map_, 0);
+  FrameRecord Push(const FramePtr& frame, DepthGrid depth = {}) {
+    Tracked tracked = tracker_.Track(frame, *map_, 0, std::move(depth));
     if (tracked.proposal) {
       mapper_.Handle(*tracked.proposal, {});
       map_ = mapper_.Snapshot();
@@ -38,6 +39,19 @@ class River {
     return record.cam_from_reference * *map_->CamFromWorld(record.reference);
   }
   const Map& map() const { return *map_; }
+
+  /// As if a bundle had found the newest keyframe elsewhere, with what it alone sees.
+  void ShiftNewestKeyframe(const Eigen::Vector3d& shift) {
+    const Keyframe& newest = *map_->Find(map_->newest_keyframe());
+    Correction correction;
+    correction.poses.emplace_back(newest.id, newest.cam_from_world * Rigid3(Eigen::Quaterniond::Identity(), -shift));
+    for (const LandmarkId id : newest.landmarks) {
+      const Landmark* landmark = id.IsValid() ? map_->Find(id) : nullptr;
+      if (landmark) correction.points.emplace_back(id, landmark->position + shift);
+    }
+    mapper_.Apply(correction);
+    map_ = mapper_.Snapshot();
+  }
 
  private:
   Tracker tracker_;
@@ -153,6 +167,59 @@ TEST(River, WaitsForAFrameWithDepthToBegin) {
   for (int k = 6; k < 20; ++k) {
     EXPECT_EQ(river.Push(blind.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame).state,
               TrackingState::kTracking);
+  }
+}
+
+TEST(River, GoesOnFromWhereTheMapperPutTheFrameBefore) {
+  const SyntheticWorld world(18, Noisy());
+  River river;
+  int k = 0;
+  const auto push = [&] {
+    const FrameRecord record = river.Push(world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
+    ++k;
+    return record;
+  };
+  push();
+  while (!push().is_keyframe) ASSERT_LT(k, 200);
+  const Eigen::Vector3d shift(0.3, 0.1, -0.2);
+  river.ShiftNewestKeyframe(shift);
+  const FrameRecord record = push();
+  ASSERT_EQ(record.state, TrackingState::kTracking);
+  const Rigid3 truth = PoseAt(k - 1) * PoseAt(0).Inverse();
+  EXPECT_LT((river.PoseOf(record).OriginInSource() - truth.OriginInSource() - shift).norm(), 0.03);
+}
+
+TEST(River, WallsCarryOnForSomeFramesWithoutAPoint) {
+  // The walls of the room of the synthetic world.
+  const std::vector<TestBox> walls = {{{-3.2, -1.5, -4}, {-3, 1.5, 2}},
+                                      {{3, -1.5, -4}, {3.2, 1.5, 2}},
+                                      {{-3, -1.7, -4}, {3, -1.5, 2}},
+                                      {{-3, 1.5, -4}, {3, 1.7, 2}},
+                                      {{-3, -1.5, 2}, {3, 1.5, 2.2}}};
+  const SyntheticWorld world(19, Noisy()), dark(13, [] {
+    SyntheticWorldOptions options;
+    options.num_points = 0;
+    return options;
+  }());
+  Random random(1);
+  const DepthGridMaker maker(world.rig());
+  River river;
+  for (int k = 0; k < 24; ++k) {
+    const bool is_dark = k >= 10 && k < 13, is_long_dark = k >= 16 && k < 20;
+    const SyntheticWorld& seen = is_dark || is_long_dark ? dark : world;
+    const DepthGrid grid = maker.Make(LookAtBoxes(world.rig(), PoseAt(k), walls, random).depth);
+    const FrameRecord record =
+        river.Push(seen.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame, grid);
+    if (k == 19) {
+      EXPECT_NE(record.state, TrackingState::kTracking) << "not for long";
+      continue;
+    }
+    ASSERT_EQ(record.state, TrackingState::kTracking) << k;
+    EXPECT_LT(Error(river.PoseOf(record), k), 0.03) << k;
+    if (is_dark) {
+      EXPECT_EQ(record.num_inliers, 0);
+      EXPECT_FALSE(record.is_keyframe);
+    }
   }
 }
 

@@ -64,8 +64,7 @@ bool IsKeyframeDue(const KeyframeQuestion& question, const TrackingOptions& opti
   const bool is_idle = question.backlog == 0;
   const bool has_changed = num_inliers < ratio * num_firm || needs_close || IsThin(question.frame, question.fix) ||
                            IsFarFrom(*reference, question, options);
-  return (is_overdue || is_weak || is_idle) && has_changed &&
-         question.fix.num_inliers + question.fix.num_inliers_by_depth > kMinInliers;
+  return (is_overdue || is_weak || is_idle) && has_changed && question.fix.num_in_all() > kMinInliers;
 }
 
 }  // namespace yorb

@@ -21,4 +21,15 @@ std::vector<bool> DoubtfulSuspects(const Frame& frame, const std::vector<Landmar
   return is_doubtful;
 }
 
+std::vector<DepthPoint> WithoutRows(const std::vector<DepthPoint>& points, const std::vector<bool>& is_marked) {
+  std::vector<uint32_t> new_row(is_marked.size());
+  uint32_t num_kept = 0;
+  for (size_t i = 0; i < is_marked.size(); ++i) new_row[i] = is_marked[i] ? num_kept : num_kept++;
+  std::vector<DepthPoint> kept;
+  for (const DepthPoint& point : points) {
+    if (!is_marked[point.row]) kept.push_back({new_row[point.row], point.x_in_world});
+  }
+  return kept;
+}
+
 }  // namespace yorb

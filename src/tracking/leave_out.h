@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "map/event.h"
+#include "localize/fix.h"
 #include "motion/mover_finder.h"
 
 namespace yorb {
@@ -15,5 +15,8 @@ std::vector<bool> PointsOnMovers(const Frame& frame, const MovingCells& moving);
 /// Which suspects are to go: those that no landmark speaks for (`matches`: a row a point). The others have shown that
 /// they stand still.
 std::vector<bool> DoubtfulSuspects(const Frame& frame, const std::vector<LandmarkId>& matches);
+
+/// The points whose rows are not marked, with the numbers that their rows have once the marked ones are gone.
+std::vector<DepthPoint> WithoutRows(const std::vector<DepthPoint>& points, const std::vector<bool>& is_marked);
 
 }  // namespace yorb

@@ -65,5 +65,15 @@ TEST(DoubtfulSuspects, AreThoseThatNoLandmarkSpeaksFor) {
   for (size_t i = 0; i < frame.size(); ++i) EXPECT_EQ(is_doubtful[i], frame.IsSuspect(i) && i % 3 != 0);
 }
 
+TEST(WithoutRows, PointsByDepthKeepTheirKeypoints) {
+  const std::vector<DepthPoint> points = {{1, {1, 0, 0}}, {2, {2, 0, 0}}, {4, {4, 0, 0}}};
+  const std::vector<DepthPoint> kept = WithoutRows(points, {true, false, true, true, false});
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].row, 0u);
+  EXPECT_EQ(kept[0].x_in_world.x(), 1);
+  EXPECT_EQ(kept[1].row, 1u);
+  EXPECT_EQ(kept[1].x_in_world.x(), 4);
+}
+
 }  // namespace
 }  // namespace yorb

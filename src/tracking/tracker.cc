@@ -13,15 +13,12 @@ namespace yorb {
 namespace {
 
 constexpr size_t kMinInliersOfGuess = 10;  // that make a first pose worth refining on the local map
-constexpr size_t kFewMatches = 20;         // with the frame before
-
-size_t NumInliers(const Fix& fix) { return fix.num_inliers + fix.num_inliers_by_depth; }
 
 /// Whether enough of what was matched agrees on the pose. Otherwise another way to it may be the better one: a few
 /// dozen matches of repeated texture agree on a wrong pose, too.
 bool IsConvincing(const Fix& fix) {
-  constexpr double kShare = 0.4;
-  return static_cast<double>(NumInliers(fix)) >= kShare * static_cast<double>(fix.num_matched);
+  constexpr double kShare = 0.6;
+  return static_cast<double>(fix.num_in_all()) >= kShare * static_cast<double>(fix.num_matched);
 }
 
 size_t CountValid(const std::vector<LandmarkId>& matches) {
@@ -38,6 +35,7 @@ FramePtr WithoutDoubtful(const FramePtr& frame, Fix& fix) {
   if (frame->num_suspects == 0) return frame;
   const std::vector<bool> is_doubtful = DoubtfulSuspects(*frame, fix.matches);
   fix.matches = WithoutRows(std::move(fix.matches), is_doubtful);
+  fix.by_depth = WithoutRows(fix.by_depth, is_doubtful);
   return WithoutRows(frame, is_doubtful);
 }
 
@@ -75,7 +73,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   motion_.Forget();
   movers_.Forget();
   surfaces_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, raw_frame};
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame};
   was_lost_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -116,11 +114,11 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   tracked.record.reference = last_.reference;
   tracked.record.cam_from_reference = last_.cam_from_reference;
   tracked.record.num_matched = static_cast<int>(fix.num_matched);
-  tracked.record.num_inliers = static_cast<int>(NumInliers(fix));
+  tracked.record.num_inliers = static_cast<int>(fix.num_in_all());
   const KeyframeQuestion question{
       *frame, fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
       backlog};
-  const bool is_sure = NumInliers(fix) >= static_cast<size_t>(options_.min_inliers);
+  const bool is_sure = fix.num_in_all() >= static_cast<size_t>(options_.min_inliers);
   if (!task_.only_locates && is_sure && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
   return tracked;
 }
@@ -154,16 +152,20 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
       sought.was_refused = true;
       return false;
     }
-    if (located && (!best || NumInliers(located->fix) > NumInliers(best->fix))) best = std::move(located);
+    if (located && (!best || located->fix.num_in_all() > best->fix.num_in_all())) best = std::move(located);
     return best && IsConvincing(best->fix);
   };
   if (state_ != TrackingState::kLost) {
-    for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
+    for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromSurfaces, &Tracker::TrackFromLastByAppearance,
+                          &Tracker::TrackFromKeyframe}) {
       if (take((this->*way)(frame, map))) return sought;
     }
     if (!best) take(TrackFromPrediction(frame, map));
   }
   if (!best) take(RelocalizeInMap(frame, map));
+  if (!best && state_ == TrackingState::kTracking) {
+    if (auto alone = TrackBySurfacesAlone(frame, map)) best = Located{std::move(*alone), {}, {}};
+  }
   return sought;
 }
 
@@ -171,7 +173,7 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
   constexpr size_t kEnoughLandmarks = 150;
   constexpr float kWider = 2, kWidest = 4;
   const Rigid3 last_pose = LastPose(map);
-  const Rigid3 predicted = motion_.Predict(last_.frame->timestamp, frame.timestamp) * last_pose;
+  const Rigid3 predicted = PredictedPose(frame, map);
   const auto radius_px = static_cast<float>(options_.search_radius_px);
   std::optional<Fix> best;
   const auto search = [&](const std::vector<KnownPoint>& points, const Rigid3& guess, float radius) {
@@ -179,10 +181,10 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
     const auto num_matches = std::count_if(rows.begin(), rows.end(), [](int row) { return row >= 0; });
     if (num_matches < static_cast<std::ptrdiff_t>(kFewMatches)) return false;
     Fix fix = FixFromPoints(frame, guess, points, rows);
-    if (NumInliers(fix) < kFewMatches) return false;
+    if (fix.num_in_all() < kFewMatches) return false;
     const Planes planes = SurfacesFor(frame, map, fix);
     if (!planes.empty()) fix = FixFromPoints(frame, fix.cam_from_world, points, rows, planes);
-    if (!best || NumInliers(fix) > NumInliers(*best)) best = std::move(fix);
+    if (!best || fix.num_in_all() > best->num_in_all()) best = std::move(fix);
     return IsConvincing(*best);
   };
 
@@ -199,7 +201,7 @@ std::optional<Fix> Tracker::TrackFromLastByAppearance(const Frame& frame, const 
   std::vector<KnownPoint> points = LandmarksOfLast(map);
   AddDepthPointsOfLast(map, points);
   auto fix = FixByAppearance(frame, points, Random(static_cast<uint64_t>(seed_), frame.id.value()));
-  if (fix && NumInliers(*fix) < kFewMatches) return std::nullopt;
+  if (fix && fix->num_in_all() < kFewMatches) return std::nullopt;
   return fix;
 }
 
@@ -209,7 +211,7 @@ std::optional<Fix> Tracker::TrackFromPrediction(const Frame& frame, const Map& m
   if (!motion_.rate()) return std::nullopt;
   const LocalMap local = CollectLocalMap(map, last_.matches, static_cast<size_t>(options_.max_local_keyframes));
   Fix fix;
-  fix.cam_from_world = motion_.Predict(last_.frame->timestamp, frame.timestamp) * LastPose(map);
+  fix.cam_from_world = PredictedPose(frame, map);
   fix.matches.resize(frame.size());
   const auto expected = ExpectLocalLandmarks(map, local, frame, fix.cam_from_world, fix.matches, kWidening);
   fix = FixWithExpected(frame, map, fix, expected);
@@ -256,7 +258,7 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   located.visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
   constexpr size_t kFarMore = 3;
-  const bool is_of_the_map = kFarMore * located.fix.num_inliers >= NumInliers(coarse);
+  const bool is_of_the_map = kFarMore * located.fix.num_inliers >= coarse.num_in_all();
   if (is_of_the_map && IsConfirmed(frame, map, located.fix)) return located;
   // Too little of the map is in view; the frame before, with its own depth, may carry on alone.
   located.fix = coarse;
@@ -271,7 +273,7 @@ bool Tracker::IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) co
   // Where people hide the view, a few points say enough, if they agree and the camera goes on as it did.
   if (IsConvincing(fix) && GoesOn(frame, map, fix)) needed = options_.min_inliers_going_on;
   // Without a mapper that takes in what is new, points of the frame before lead away from the map unnoticed.
-  const size_t num_inliers = task_.only_locates ? fix.num_inliers : NumInliers(fix);
+  const size_t num_inliers = task_.only_locates ? fix.num_inliers : fix.num_in_all();
   return num_inliers >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
 }
 
@@ -279,7 +281,7 @@ bool Tracker::IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) co
 bool Tracker::IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const {
   constexpr size_t kMany = 150;
   constexpr double kMost = 0.6;
-  const auto num_inliers = NumInliers(fix);
+  const auto num_inliers = fix.num_in_all();
   const bool is_sure =
       num_inliers >= kMany && static_cast<double>(num_inliers) >= kMost * static_cast<double>(fix.num_matched);
   if (is_sure || !last_.frame || state_ == TrackingState::kLost) return true;
@@ -330,6 +332,7 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
            fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(),
            fix.matches,
            CountValid(fix.matches),
+           fix.num_in_all() == 0 ? last_.num_blind + 1 : 0,
            frame};
 }
 
@@ -353,7 +356,8 @@ bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
 }
 
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
-  Proposal proposal{frame, last_.reference, last_.cam_from_reference, fix.matches, {}};
+  Proposal proposal{frame, last_.reference, last_.cam_from_reference, fix.matches, {}, {}};
+  proposal.information = BesideLandmarks(*frame, fix);
   proposal.counts.reserve(counts_.size());
   for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found, count.gone});
   counts_.clear();
@@ -376,15 +380,8 @@ std::vector<KnownPoint> Tracker::LandmarksOfLast(const Map& map) const {
   return points;
 }
 
-void Tracker::AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const {
-  const Frame& frame = *last_.frame;
-  const Rigid3 world_from_cam = LastPose(map).Inverse();
-  for (size_t i = 0; i < frame.size(); ++i) {
-    if (!frame.HasDepth(i) || map.Find(map.Resolve(last_.matches[i]))) continue;
-    const Keypoint& keypoint = frame.keypoints[i];
-    points.push_back(
-        {world_from_cam * frame.PointInCam(i), frame.descriptors[i], keypoint.octave, keypoint.angle_rad, {}});
-  }
+Rigid3 Tracker::PredictedPose(const Frame& frame, const Map& map) const {
+  return motion_.Predict(last_.frame->timestamp, frame.timestamp) * LastPose(map);
 }
 
 Rigid3 Tracker::LastPose(const Map& map) const {

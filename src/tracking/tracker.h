@@ -49,6 +49,8 @@ class Tracker {
   Tracked Track(const FramePtr& frame, const Map& map, size_t backlog, DepthGrid depth = {});
 
  private:
+  static constexpr size_t kFewMatches = 20;  // with the frame before
+
   /// The newest frame whose pose was confirmed.
   struct Confirmed {
     FramePtr frame;  ///< null: there was none yet
@@ -56,6 +58,7 @@ class Tracker {
     Rigid3 cam_from_reference;
     std::vector<LandmarkId> matches;
     size_t num_found = 0;  ///< of `matches`, before a keyframe that was made of the frame brought more
+    int num_blind = 0;     ///< frames in a row up to it that surfaces alone speak for
     FramePtr picture;      ///< the frame as it came, with all of its points
   };
 
@@ -80,6 +83,9 @@ class Tracker {
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromLastByAppearance(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromPrediction(const Frame& frame, const Map& map) const;
+  std::optional<Rigid3> PoseOnSurfaces(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackFromSurfaces(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackBySurfacesAlone(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
   std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map);
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
@@ -99,6 +105,7 @@ class Tracker {
   std::vector<KnownPoint> LandmarksOfLast(const Map& map) const;
   void AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const;
   Rigid3 LastPose(const Map& map) const;
+  Rigid3 PredictedPose(const Frame& frame, const Map& map) const;
 
   TrackingOptions options_;
   int64_t seed_;

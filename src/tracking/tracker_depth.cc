@@ -9,11 +9,69 @@
 
 namespace yorb {
 
+void Tracker::AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const {
+  const Frame& frame = *last_.frame;
+  const Rigid3 world_from_cam = LastPose(map).Inverse();
+  for (size_t i = 0; i < frame.size(); ++i) {
+    if (!frame.HasDepth(i) || map.Find(map.Resolve(last_.matches[i]))) continue;
+    const Keypoint& keypoint = frame.keypoints[i];
+    points.push_back(
+        {world_from_cam * frame.PointInCam(i), frame.descriptors[i], keypoint.octave, keypoint.angle_rad, {}});
+  }
+}
+
 /// Surfaces of before, where the points alone leave a pose unsure: few, or all in one corner.
 Planes Tracker::SurfacesFor(const Frame& frame, const Map& map, const Fix& fix) const {
   constexpr double kUnsureM = 0.01;
   if (depth_.empty() || fix.sigma_m < kUnsureM) return {};
   return surfaces_.Pair(depth_, *frame.rig, fix.cam_from_world, map);
+}
+
+/// Where the depth picture lies best on the surfaces of before, not far from where the camera should be by now. Nothing
+/// where too little of them is in view.
+std::optional<Rigid3> Tracker::PoseOnSurfaces(const Frame& frame, const Map& map) const {
+  constexpr size_t kEnoughPairs = 50, kFewPairs = 20;  // at the end, and on the way there
+  constexpr int kRounds = 6;
+  constexpr double kTurnSigma = 0.1, kShiftSigmaM = 0.03;  // of the prediction
+  ExpectedPose expected{PredictedPose(frame, map), Matrix6d::Zero()};
+  expected.information.diagonal().head<3>().setConstant(1 / (kTurnSigma * kTurnSigma));
+  expected.information.diagonal().tail<3>().setConstant(1 / (kShiftSigmaM * kShiftSigmaM));
+  Rigid3 pose = expected.cam_from_world;
+  size_t num_pairs = 0;
+  for (int k = 0; k < kRounds; ++k) {
+    const Planes planes = surfaces_.Pair(depth_, *frame.rig, pose, map);
+    num_pairs = planes.size();
+    if (num_pairs < kFewPairs) return std::nullopt;
+    pose = AlignToPlanes(pose, planes, expected);
+  }
+  return num_pairs >= kEnoughPairs ? std::optional<Rigid3>(pose) : std::nullopt;
+}
+
+/// Surfaces say where to look for the points.
+std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map) const {
+  if (depth_.empty()) return std::nullopt;
+  const auto guess = PoseOnSurfaces(frame, map);
+  if (!guess) return std::nullopt;
+  std::vector<KnownPoint> points = LandmarksOfLast(map);
+  AddDepthPointsOfLast(map, points);
+  const auto radius_px = static_cast<float>(options_.search_radius_px);
+  const std::vector<int> rows = MatchKnownPoints(frame, *guess, LastPose(map), points, radius_px);
+  Fix fix = FixFromPoints(frame, *guess, points, rows, surfaces_.Pair(depth_, *frame.rig, *guess, map));
+  if (fix.num_in_all() < kFewMatches) return std::nullopt;
+  return fix;
+}
+
+/// Where hardly a point is left for some frames, walls and floors may carry on alone, if the camera goes on as it did.
+std::optional<Fix> Tracker::TrackBySurfacesAlone(const Frame& frame, const Map& map) const {
+  constexpr int kMostInARow = 3;
+  if (depth_.empty() || task_.only_locates || last_.num_blind >= kMostInARow) return std::nullopt;
+  const auto pose = PoseOnSurfaces(frame, map);
+  Fix fix;
+  if (!pose) return std::nullopt;
+  fix.cam_from_world = *pose;
+  fix.matches.resize(frame.size());
+  if (!GoesOn(frame, map, fix)) return std::nullopt;
+  return fix;
 }
 
 /// Landmarks that the camera sees through are not there any more.
@@ -49,7 +107,8 @@ std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const Map& map, F
   if (moving.empty()) return moving;
   frame = WithoutRows(frame, is_moving);
   fix.matches = WithoutRows(std::move(fix.matches), is_moving);
-  if (fix.num_inliers + fix.num_inliers_by_depth >= kEnoughMatches) fix = Refit(*frame, map, fix);
+  fix.by_depth = WithoutRows(fix.by_depth, is_moving);
+  if (fix.num_in_all() >= kEnoughMatches) fix = Refit(*frame, map, fix);
   return moving;
 }
 
