@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tracker does with depth pictures: surfaces that hold an unsure pose; things that geometry finds to move,
-// once the pose is known.
+// What the tracker does with depth: points of the frame before that are no landmarks; surfaces that hold an unsure
+// pose, and carry on where there is no point; things that geometry finds to move, once the pose is known.
 #include <utility>
 
 #include "tracking/leave_out.h"
@@ -66,8 +66,8 @@ std::optional<Fix> Tracker::TrackBySurfacesAlone(const Frame& frame, const Map& 
   constexpr int kMostInARow = 3;
   if (depth_.empty() || task_.only_locates || last_.num_blind >= kMostInARow) return std::nullopt;
   const auto pose = PoseOnSurfaces(frame, map);
-  Fix fix;
   if (!pose) return std::nullopt;
+  Fix fix;
   fix.cam_from_world = *pose;
   fix.matches.resize(frame.size());
   if (!GoesOn(frame, map, fix)) return std::nullopt;
