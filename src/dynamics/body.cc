@@ -89,13 +89,6 @@ Histogram Excess(const Histogram& inside, const Histogram& around, float num_ins
   return excess;
 }
 
-/// Whether a measured depth belongs to a body: arms reach forward more than backs reach back.
-bool IsOn(const BodyPlane& body, int column, int row, float metres) {
-  const float off = metres - body.DepthAt(column, row);
-  const float noise = 0.01f * metres * metres;
-  return metres > 0 && off > -(kFrontM + noise) && off < kBackM + noise;
-}
-
 /// Marks what hangs together with the cells of `edge` at the body's depth, within `range`.
 void Spread(CellMask& mask, const DepthCells& depth, const CellRange& range, const BodyPlane& body,
             std::vector<std::pair<int, int>> edge) {
@@ -108,7 +101,7 @@ void Spread(CellMask& mask, const DepthCells& depth, const CellRange& range, con
       if (x < range.left || x >= range.right || y < range.top || y >= range.bottom) continue;
       uint8_t& cell = mask[depth.IndexOf(x, y)];
       const float metres = depth.At(x, y);
-      if (cell != 0 || !IsOn(body, x, y, metres)) continue;
+      if (cell != 0 || !body.Holds(x, y, metres)) continue;
       cell = kBody;
       edge.emplace_back(x, y);
     }
@@ -140,6 +133,12 @@ bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& bod
 }
 
 }  // namespace
+
+bool BodyPlane::Holds(int column, int row, float depth_m) const {
+  const float off = depth_m - DepthAt(column, row);
+  const float noise = 0.01f * depth_m * depth_m;
+  return depth_m > 0 && off > -(kFrontM + noise) && off < kBackM + noise;
+}
 
 bool BodySearch::IsInABox(int column, int row) const {
   const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
@@ -201,7 +200,7 @@ std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, cons
       const float metres = search.depth.At(x, y);
       if (metres <= 0 || search.taken[search.depth.IndexOf(x, y)] != 0) continue;
       ++num_seen;
-      num_on += IsOn(memory.body, column, row, metres) ? 1.f : 0.f;
+      num_on += memory.body.Holds(column, row, metres) ? 1.f : 0.f;
     }
   }
   if (num_seen < kLeastMeasured || num_on < kLeastShare * num_seen) return std::nullopt;
@@ -224,7 +223,7 @@ BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign
     for (int row = range.top; row < range.bottom; row += kStep) {
       for (int column = range.left; column < range.right; column += kStep) {
         const float depth = search.depth.At(column, row);
-        if (search.taken[search.depth.IndexOf(column, row)] != 0 || !IsOn(body, column, row, depth)) continue;
+        if (search.taken[search.depth.IndexOf(column, row)] != 0 || !body.Holds(column, row, depth)) continue;
         const float x = (static_cast<float>(column) - middle.x()) / half.x();
         const Eigen::Vector3f place(1, x, (static_cast<float>(row) - middle.y()) / half.y());
         const float weight = 1.2f - x * x;
@@ -249,7 +248,7 @@ CellMask WithBody(CellMask mask, const DepthCells& depth, const Box& box, const 
   for (int row = range.top; row < range.bottom; ++row) {
     for (int column = range.left; column < range.right; ++column) {
       uint8_t& cell = mask[depth.IndexOf(column, row)];
-      if (cell == kLying || !IsOn(body, column, row, depth.At(column, row))) continue;
+      if (cell == kLying || !body.Holds(column, row, depth.At(column, row))) continue;
       cell = kBody;
       edge.emplace_back(column, row);
     }

@@ -32,13 +32,16 @@ struct BodyPlane {
   float DepthAt(int column, int row) const {
     return 1 / inverse_depth.dot(Eigen::Vector3f(1, static_cast<float>(column), static_cast<float>(row)));
   }
+
+  /// Whether a measured depth belongs to the body: arms reach forward more than backs reach back.
+  bool Holds(int column, int row, float depth_m) const;
 };
 
 /// What surrounds the search for the body in a box.
 struct BodySearch {
   const DepthCells& depth;
   const CellMask& taken;           ///< cells that are known already; they count for nothing
-  const std::vector<Box>& bodies;  ///< all boxes with bodies: within them there are no surroundings
+  const std::vector<Box>& bodies;  ///< boxes in which bodies are seen: within them there are no surroundings
 
   /// Whether the middle of a cell lies in any of these boxes.
   bool IsInABox(int column, int row) const;

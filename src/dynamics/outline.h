@@ -6,8 +6,8 @@
 
 namespace yorb {
 
-/// Whether the surface of a body goes on, unbroken, across most of the borders of its box: then it is a wall or a
-/// cupboard beside which somebody stood. Borders at the edge of the picture or within other boxes say nothing.
+/// Whether the surface of a body goes on, unbroken, far beyond its box: then it is a wall or a cupboard beside which
+/// somebody stood. A body that its box cuts goes on a little. Other boxes and the edge of the picture end it.
 bool GoesOnBeyond(const BodySearch& search, const Box& box, const BodyPlane& body);
 
 }  // namespace yorb

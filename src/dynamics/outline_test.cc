@@ -31,6 +31,18 @@ TEST(GoesOnBeyond, TellsAWallFromWhatEndsInItsBox) {
   EXPECT_FALSE(GoesOn(Wall(true), kBox, 1.5f));
 }
 
+TEST(GoesOnBeyond, ABoxThatCutsABodyMakesItNoWall) {
+  const Box within{"person", 0.2, 215, 120, 345, 380};  // the board is larger, by as much as faint boxes err
+  EXPECT_FALSE(GoesOn(Wall(true), within, 1.5f));
+}
+
+TEST(GoesOnBeyond, WhatStandsCloseBehindABodyDoesNotCount) {
+  DepthImage screen = Wall(true);
+  screen.pixels(cv::Rect(100, 80, 400, 340)).setTo(1.75);
+  screen.pixels(cv::Rect(240, 105, 80, 290)).setTo(1.5);
+  EXPECT_FALSE(GoesOn(screen, kBox, 1.5f));
+}
+
 TEST(GoesOnBeyond, TheEdgeOfThePictureSaysNothing) {
   EXPECT_FALSE(GoesOn(Wall(false), {"person", 0.9, 0, 0, kWidth, kHeight}, 2.5f));
 }

@@ -96,16 +96,16 @@ BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Times
 /// What moves by itself. Where boxes overlap, the body that explains most is found first, and leaves the rest to the
 /// others; boxes that are only expected come last. The tracks remember how far away their bodies are.
 CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Timestamp now) {
-  std::vector<Box> boxes;
+  std::vector<Box> seen;
   std::vector<BoxTrack*> open;
   for (BoxTrack& track : tracks) {
     if (track.at.motion != Motion::kHigh) continue;
-    boxes.push_back(track.at.box);
+    if (!track.IsBridged(now)) seen.push_back(track.at.box);
     open.push_back(&track);
   }
   CellMask mask = MarkLying(depth);
   while (!open.empty()) {
-    const BodySearch search{depth, mask, boxes};
+    const BodySearch search{depth, mask, seen};
     std::optional<BodySign> sign;
     BoxTrack& track = TakeNext(open, search, now, sign);
     const auto body = FindBodyOf(track, search, sign, now);
@@ -113,7 +113,8 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ti
       const CellMask before = mask;
       mask = WithBody(std::move(mask), depth, track.at.box, *body);
       // Only what the detector sees is remembered: a memory of memories would wander off into the background.
-      const bool is_new = !track.IsBridged(now) && sign && sign->score >= kLeastScoreBridged;
+      const float least_score = IsSure(track, now) ? kLeastScore : kLeastScoreBridged;
+      const bool is_new = !track.IsBridged(now) && sign && sign->score >= least_score;
       if (is_new) track.body = RememberBody(depth, track.at.box, *body, before, mask);
       track.body_seen = now;
     } else if (IsSure(track, now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {

@@ -152,7 +152,8 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
       sought.was_refused = true;
       return false;
     }
-    if (located && (!best || located->fix.num_in_all() > best->fix.num_in_all())) best = std::move(located);
+    if (located && (!best || Speaking(frame, map, located->fix) > Speaking(frame, map, best->fix)))
+      best = std::move(located);
     return best && IsConvincing(best->fix);
   };
   if (state_ != TrackingState::kLost) {
@@ -184,7 +185,7 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
     if (fix.num_in_all() < kFewMatches) return false;
     const Planes planes = SurfacesFor(frame, map, fix);
     if (!planes.empty()) fix = FixFromPoints(frame, fix.cam_from_world, points, rows, planes);
-    if (!best || fix.num_in_all() > best->num_in_all()) best = std::move(fix);
+    if (!best || Speaking(frame, map, fix) > Speaking(frame, map, *best)) best = std::move(fix);
     return IsConvincing(*best);
   };
 
@@ -294,6 +295,11 @@ bool Tracker::GoesOn(const Frame& frame, const Map& map, const Fix& fix) const {
   if (state_ != TrackingState::kTracking || !motion_.rate()) return false;
   const Rigid3 step = fix.cam_from_world * LastPose(map).Inverse();
   return motion_.CanReach(last_.frame->timestamp, frame.timestamp, step, kEase);
+}
+
+/// How much speaks for a pose, in matches: twice as much where the camera only goes on as it did.
+size_t Tracker::Speaking(const Frame& frame, const Map& map, const Fix& fix) const {
+  return fix.num_in_all() * (GoesOn(frame, map, fix) ? 2 : 1);
 }
 
 /// Whether the frame before says nothing about this one: single pictures in no order are located one by one.

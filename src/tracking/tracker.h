@@ -92,6 +92,7 @@ class Tracker {
   bool IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) const;
   bool GoesOn(const Frame& frame, const Map& map, const Fix& fix) const;
   bool IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const;
+  size_t Speaking(const Frame& frame, const Map& map, const Fix& fix) const;
   bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
   void CountGone(const Frame& frame, const Map& map, const Located& located);
