@@ -7,7 +7,7 @@
 namespace yorb {
 
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
-                  const std::vector<int>& rows, const Planes& planes) {
+                  const std::vector<int>& rows, const Support& support) {
   std::vector<PoseObservation> observations;
   std::vector<uint32_t> indices;
   for (uint32_t i = 0; i < rows.size(); ++i) {
@@ -16,7 +16,8 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
     observations.push_back({points[row].x_in_world, Observed(frame, i), points[row].trust});
     indices.push_back(i);
   }
-  const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig), planes);
+  observations.insert(observations.end(), support.followed.begin(), support.followed.end());
+  const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig), support.planes);
 
   Fix fix;
   fix.cam_from_world = estimate.cam_from_world;
@@ -26,6 +27,10 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
   fix.num_matched = observations.size();
   for (size_t k = 0; k < observations.size(); ++k) {
     if (!estimate.is_inlier[k]) continue;
+    if (k >= indices.size()) {
+      fix.followed.push_back(observations[k]);
+      continue;
+    }
     const KnownPoint& point = points[static_cast<size_t>(rows[indices[k]])];
     if (point.landmark.IsValid()) {
       fix.matches[indices[k]] = point.landmark;
@@ -38,7 +43,7 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
 }
 
 Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches,
-                     const std::vector<DepthPoint>& by_depth, const Planes& planes) {
+                     const std::vector<DepthPoint>& by_depth, const Support& support) {
   std::vector<KnownPoint> points;
   std::vector<int> rows(frame.size(), -1);
   const auto add = [&](size_t row, const KnownPoint& point) {
@@ -60,12 +65,12 @@ Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, co
     point.x_in_world = known.x_in_world;
     add(known.row, point);
   }
-  return FixFromPoints(frame, guess, points, rows, planes);
+  return FixFromPoints(frame, guess, points, rows, support);
 }
 
 Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes) {
   constexpr double kMinKept = 0.8;
-  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches, fix.by_depth, planes);
+  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches, fix.by_depth, {planes, fix.followed});
   again.num_matched = fix.num_matched;
   const bool is_same = static_cast<double>(again.num_in_all()) >= kMinKept * static_cast<double>(fix.num_in_all());
   return is_same ? again : fix;
@@ -76,6 +81,7 @@ Matrix6d BesideLandmarks(const Frame& frame, const Fix& fix) {
   for (const DepthPoint& point : fix.by_depth) {
     observations.push_back({point.x_in_world, Observed(frame, point.row), kTrustInNew});
   }
+  observations.insert(observations.end(), fix.followed.begin(), fix.followed.end());
   return fix.plane_information + InformationAt(fix.cam_from_world, observations, Projection(*frame.rig));
 }
 

@@ -24,25 +24,33 @@ struct Fix {
   double sigma_m = 0;
   Matrix6d plane_information = Matrix6d::Zero();  ///< of the surfaces, as in PoseEstimate
   std::vector<DepthPoint> by_depth;               ///< inliers too, by rising rows, where `matches` has no landmark
+  std::vector<PoseObservation> followed;          ///< inliers beside the keypoints: found by optical flow
   size_t num_matched = 0;                         ///< before outliers were taken out
   size_t num_inliers = 0;                         ///< of landmarks
 
-  size_t num_in_all() const { return num_inliers + by_depth.size(); }
+  size_t num_at_keypoints() const { return num_inliers + by_depth.size(); }
+  size_t num_in_all() const { return num_at_keypoints() + followed.size(); }
 };
 
 using Planes = std::vector<PlaneObservation>;
 
-/// Optimises a pose on landmarks (`matches`, a row a keypoint), on points of the frame before where there is none
-/// (`by_depth`) and on what surfaces say (`planes`), and gives it with the inliers.
-Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches,
-                     const std::vector<DepthPoint>& by_depth, const Planes& planes = {});
+/// What speaks for a pose beside the keypoints.
+struct Support {
+  Planes planes;                          ///< what surfaces say
+  std::vector<PoseObservation> followed;  ///< known points where optical flow found them
+};
 
-/// The pose anew on the inliers of a fix, whose keypoints have moved a little. The fix itself where that loses most.
-Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes = {});
+/// Optimises a pose on landmarks (`matches`, a row a keypoint), on points of the frame before where there is none
+/// (`by_depth`) and on what else there is, and gives it with the inliers.
+Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<LandmarkId>& matches,
+                     const std::vector<DepthPoint>& by_depth, const Support& support = {});
 
 /// The same on known points (`rows`: for each keypoint a row of `points`, or -1).
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
-                  const std::vector<int>& rows, const Planes& planes = {});
+                  const std::vector<int>& rows, const Support& support = {});
+
+/// The pose anew on the inliers of a fix, whose keypoints have moved a little. The fix itself where that loses most.
+Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes = {});
 
 /// What a fix rests on that a bundle of landmarks does not know, surfaces and points of the frame before: J^T W J for
 /// the step of Rigid3::FromStep.

@@ -93,7 +93,7 @@ Fix FixWithExpected(const Frame& frame, const Map& map, const Fix& coarse,
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i] >= 0) matches[i] = expected[static_cast<size_t>(rows[i])].id;
   }
-  return FixFromLandmarks(frame, map, coarse.cam_from_world, matches, coarse.by_depth, planes);
+  return FixFromLandmarks(frame, map, coarse.cam_from_world, matches, coarse.by_depth, {planes, coarse.followed});
 }
 
 }  // namespace yorb

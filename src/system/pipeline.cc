@@ -207,6 +207,7 @@ Pipeline::Looked Pipeline::Await(const ImageSet& images) {
 
 Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, const Looked& looked) {
   Extracted extracted;
+  extracted.sight.grey = images.grey;
   FrameRecord& record = extracted.record;
   const Stopwatch watch;
   const MovingAreas areas = remover_.Look(images, {looked.seen, looked.at});
@@ -217,7 +218,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_boxes = static_cast<int>(areas.boxes().size());
   record.num_bridged = areas.num_bridged();
   if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
-  if (follows_bodies_) extracted.depth = grids_.Make(images.depth, areas.bodies());
+  if (follows_bodies_) extracted.sight.depth = grids_.Make(images.depth, areas.bodies());
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
   Features suspects;
@@ -256,7 +257,7 @@ std::optional<Proposal> Pipeline::Track(Extracted& extracted) {
   const Stopwatch watch;
   const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
   const MapSnapshot map = view_.Get();
-  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, std::move(extracted.depth));
+  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, std::move(extracted.sight));
   const Places moving = PlacesOf(tracked.moving);
   const int num_new = static_cast<int>(moving.size()) - CountSuspects(*extracted.frame, moving);
   extracted.record.num_static -= num_new;

@@ -59,7 +59,7 @@ class Pipeline {
   struct Extracted {
     FramePtr frame;
     FrameRecord record;  ///< what is known of it so far
-    DepthGrid depth;     ///< in which movers are looked for; empty: they are not
+    Sight sight;         ///< without depth, nothing is looked for that moves
     std::optional<Judged> judged;
   };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "map/synthetic_world.h"
 #include "mapping/mapper.h"
@@ -27,8 +28,8 @@ class River {
  public:
   River() : tracker_(TrackingOptions(), 1), mapper_(MappingOptions()), map_(mapper_.Snapshot()) {}
 
-  FrameRecord Push(const FramePtr& frame, DepthGrid depth = {}) {
-    Tracked tracked = tracker_.Track(frame, *map_, 0, std::move(depth));
+  FrameRecord Push(const FramePtr& frame, Sight sight = {}) {
+    Tracked tracked = tracker_.Track(frame, *map_, 0, std::move(sight));
     if (tracked.proposal) {
       mapper_.Handle(*tracked.proposal, {});
       map_ = mapper_.Snapshot();
@@ -209,7 +210,7 @@ TEST(River, WallsCarryOnForSomeFramesWithoutAPoint) {
     const SyntheticWorld& seen = is_dark || is_long_dark ? dark : world;
     const DepthGrid grid = maker.Make(LookAtBoxes(world.rig(), PoseAt(k), walls, random).depth);
     const FrameRecord record =
-        river.Push(seen.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame, grid);
+        river.Push(seen.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame, {grid, {}});
     if (k == 19) {
       EXPECT_NE(record.state, TrackingState::kTracking) << "not for long";
       continue;
@@ -219,6 +220,50 @@ TEST(River, WallsCarryOnForSomeFramesWithoutAPoint) {
     if (is_dark) {
       EXPECT_EQ(record.num_inliers, 0);
       EXPECT_FALSE(record.is_keyframe);
+    }
+  }
+}
+
+/// A picture in which every point is a speckled patch of its own.
+cv::Mat Draw(const SyntheticWorld::View& view, const Rig& rig) {
+  constexpr int kSide = 9;
+  cv::Mat picture(rig.camera.height, rig.camera.width, CV_8UC1, cv::Scalar(128));
+  for (size_t i = 0; i < view.points.size(); ++i) {
+    cv::Mat patch(kSide, kSide, CV_8UC1);
+    cv::RNG(view.points[i] + 1).fill(patch, cv::RNG::UNIFORM, 0, 256);
+    cv::GaussianBlur(patch, patch, {}, 1);
+    const Keypoint& point = view.frame->keypoints[i];
+    const cv::Rect at(cvRound(point.x) - kSide / 2, cvRound(point.y) - kSide / 2, kSide, kSide);
+    if ((at & cv::Rect({}, picture.size())) == at) patch.copyTo(picture(at));
+  }
+  return picture;
+}
+
+/// The frame as blur leaves it: its descriptors say nothing.
+FramePtr Scrambled(const Frame& frame) {
+  auto scrambled = std::make_shared<Frame>(frame);
+  Random random(5);
+  for (Descriptor& descriptor : scrambled->descriptors) {
+    for (uint64_t& word : descriptor) word = random.Next();
+  }
+  return scrambled;
+}
+
+TEST(River, OpticalFlowCarriesOnWhereDescriptorsSayNothing) {
+  const SyntheticWorld world(23, Noisy());
+  for (const bool has_pictures : {true, false}) {
+    River river;
+    for (int k = 0; k < 16; ++k) {
+      const auto view = world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k));
+      const bool is_blurred = k == 12;
+      const FramePtr frame = is_blurred ? Scrambled(*view.frame) : view.frame;
+      const FrameRecord record = river.Push(frame, {{}, has_pictures ? Draw(view, world.rig()) : cv::Mat()});
+      if (is_blurred && !has_pictures) {
+        EXPECT_NE(record.state, TrackingState::kTracking) << "or this test shows nothing";
+        continue;
+      }
+      ASSERT_EQ(record.state, TrackingState::kTracking) << k;
+      EXPECT_LT(Error(river.PoseOf(record), k), 0.02) << k;
     }
   }
 }

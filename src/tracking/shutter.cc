@@ -3,6 +3,11 @@
 #include "tracking/shutter.h"
 
 namespace yorb {
+
+Rigid3 MotionToRow(const Rig& rig, const CameraRate& rate, double y_px) {
+  return rate.After(rig.readout_s * (y_px / rig.camera.height - 0.5));
+}
+
 FramePtr WithoutShutter(const FramePtr& frame, const std::optional<CameraRate>& rate) {
   constexpr float kFarAway = 1e3f;  // only the turn counts
   const Rig& rig = *frame->rig;
@@ -11,10 +16,10 @@ FramePtr WithoutShutter(const FramePtr& frame, const std::optional<CameraRate>& 
   const float unknown = median > 0 ? median : kFarAway;
   auto corrected = std::make_shared<Frame>(*frame);
   for (size_t i = 0; i < frame->size(); ++i) {
-    const double seconds = rig.readout_s * (frame->keypoints[i].y / rig.camera.height - 0.5);
     const float depth = frame->HasDepth(i) ? frame->depth[i] : unknown;
     const Eigen::Vector2f& px = frame->points_px[i];
-    const Eigen::Vector3d x_in_cam = rate->After(seconds).Inverse() * rig.camera.Unproject(px.x(), px.y(), depth);
+    const Eigen::Vector3d x_in_cam =
+        MotionToRow(rig, *rate, frame->keypoints[i].y).Inverse() * rig.camera.Unproject(px.x(), px.y(), depth);
     if (!(x_in_cam.z() > 0)) continue;
     corrected->points_px[i] = rig.camera.Project(x_in_cam).cast<float>();
     if (!frame->HasDepth(i)) continue;

@@ -14,13 +14,6 @@ namespace {
 
 constexpr size_t kMinInliersOfGuess = 10;  // that make a first pose worth refining on the local map
 
-/// Whether enough of what was matched agrees on the pose. Otherwise another way to it may be the better one: a few
-/// dozen matches of repeated texture agree on a wrong pose, too.
-bool IsConvincing(const Fix& fix) {
-  constexpr double kShare = 0.6;
-  return static_cast<double>(fix.num_in_all()) >= kShare * static_cast<double>(fix.num_matched);
-}
-
 size_t CountValid(const std::vector<LandmarkId>& matches) {
   return static_cast<size_t>(std::count_if(matches.begin(), matches.end(), [](LandmarkId id) { return id.IsValid(); }));
 }
@@ -48,8 +41,9 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 
 }  // namespace
 
-Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, DepthGrid depth) {
-  depth_ = std::move(depth);
+Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, Sight sight) {
+  depth_ = std::move(sight.depth);
+  grey_ = std::move(sight.grey);
   Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
@@ -73,7 +67,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   motion_.Forget();
   movers_.Forget();
   surfaces_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame};
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame, grey_};
   was_lost_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -157,8 +151,8 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
     return best && IsConvincing(best->fix);
   };
   if (state_ != TrackingState::kLost) {
-    for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromSurfaces, &Tracker::TrackFromLastByAppearance,
-                          &Tracker::TrackFromKeyframe}) {
+    for (const Way way : {&Tracker::TrackFromLast, &Tracker::TrackFromLastByFlow, &Tracker::TrackFromSurfaces,
+                          &Tracker::TrackFromLastByAppearance, &Tracker::TrackFromKeyframe}) {
       if (take((this->*way)(frame, map))) return sought;
     }
     if (!best) take(TrackFromPrediction(frame, map));
@@ -168,6 +162,11 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
     if (auto alone = TrackBySurfacesAlone(frame, map)) best = Located{std::move(*alone), {}, {}};
   }
   return sought;
+}
+
+bool Tracker::IsConvincing(const Fix& fix) {
+  constexpr double kShare = 0.6;
+  return static_cast<double>(fix.num_in_all()) >= kShare * static_cast<double>(fix.num_matched);
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
@@ -184,7 +183,7 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
     Fix fix = FixFromPoints(frame, guess, points, rows);
     if (fix.num_in_all() < kFewMatches) return false;
     const Planes planes = SurfacesFor(frame, map, fix);
-    if (!planes.empty()) fix = FixFromPoints(frame, fix.cam_from_world, points, rows, planes);
+    if (!planes.empty()) fix = FixFromPoints(frame, fix.cam_from_world, points, rows, {planes, {}});
     if (!best || Speaking(frame, map, fix) > Speaking(frame, map, *best)) best = std::move(fix);
     return IsConvincing(*best);
   };
@@ -259,7 +258,7 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   located.visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
   constexpr size_t kFarMore = 3;
-  const bool is_of_the_map = kFarMore * located.fix.num_inliers >= coarse.num_in_all();
+  const bool is_of_the_map = kFarMore * located.fix.num_inliers >= coarse.num_at_keypoints();
   if (is_of_the_map && IsConfirmed(frame, map, located.fix)) return located;
   // Too little of the map is in view; the frame before, with its own depth, may carry on alone.
   located.fix = coarse;
@@ -339,7 +338,8 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
            fix.matches,
            CountValid(fix.matches),
            fix.num_in_all() == 0 ? last_.num_blind + 1 : 0,
-           frame};
+           frame,
+           grey_};
 }
 
 void Tracker::NoteLoss(const Frame& frame, bool was_refused) {

@@ -12,6 +12,7 @@
 #include "localize/local_map.h"
 #include "localize/place_memory.h"
 #include "map/map.h"
+#include "matching/by_flow.h"
 #include "motion/mover_finder.h"
 #include "motion/surfaces.h"
 #include "tracking/motion_model.h"
@@ -32,6 +33,12 @@ struct TrackerTask {
   bool only_locates = false;  ///< nothing is proposed, and only landmarks of the map confirm a pose
 };
 
+/// What a tracker may look at beside the points of a frame; each may be empty.
+struct Sight {
+  DepthGrid depth;  ///< what moves is looked for in it, and surfaces hold a pose that its points leave unsure
+  cv::Mat grey;     ///< CV_8UC1: points that descriptors do not find again are followed in it
+};
+
 class Tracker {
  public:
   /// Without a vocabulary (null), a lost camera is sought among the newest keyframes and some of the older ones in
@@ -44,12 +51,15 @@ class Tracker {
         memory_(std::move(vocabulary)),
         state_(task.has_map ? TrackingState::kLost : TrackingState::kNotInitialized) {}
 
-  /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off. Where a depth
-  /// picture is given, what moves is looked for, and surfaces hold a pose that its points leave unsure.
-  Tracked Track(const FramePtr& frame, const Map& map, size_t backlog, DepthGrid depth = {});
+  /// `map` is the newest snapshot; `backlog` counts the proposals that the mapper has not worked off.
+  Tracked Track(const FramePtr& frame, const Map& map, size_t backlog, Sight sight = {});
 
  private:
   static constexpr size_t kFewMatches = 20;  // with the frame before
+
+  /// Whether enough of what was matched agrees on the pose. Otherwise another way to it may be the better one: a few
+  /// dozen matches of repeated texture agree on a wrong pose, too.
+  static bool IsConvincing(const Fix& fix);
 
   /// The newest frame whose pose was confirmed.
   struct Confirmed {
@@ -60,6 +70,7 @@ class Tracker {
     size_t num_found = 0;  ///< of `matches`, before a keyframe that was made of the frame brought more
     int num_blind = 0;     ///< frames in a row up to it that surfaces alone speak for
     FramePtr picture;      ///< the frame as it came, with all of its points
+    cv::Mat grey;          ///< its pixels, if they were given
   };
 
   /// A pose that the map confirms.
@@ -67,6 +78,12 @@ class Tracker {
     Fix fix;
     LocalMap local;
     std::vector<LandmarkId> visible;  ///< landmarks that should be seen from there
+  };
+
+  /// Known points on their way into the next picture; the rows belong together.
+  struct Followed {
+    std::vector<FlowGuess> guesses;
+    std::vector<PoseObservation> points;
   };
 
   /// What came of looking for a pose.
@@ -81,6 +98,7 @@ class Tracker {
   void FollowKeyframe(const Map& map);
   Sought FindPose(const Frame& frame, const Map& map);
   std::optional<Fix> TrackFromLast(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackFromLastByFlow(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromLastByAppearance(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromPrediction(const Frame& frame, const Map& map) const;
   std::optional<Rigid3> PoseOnSurfaces(const Frame& frame, const Map& map) const;
@@ -104,6 +122,8 @@ class Tracker {
   bool IsTimeForANewMap(const Frame& frame, size_t backlog) const;
   Proposal Propose(const FramePtr& frame, const Fix& fix);
   std::vector<KnownPoint> LandmarksOfLast(const Map& map) const;
+  Followed PointsToFollow(const Frame& frame, const Map& map) const;
+  std::vector<PoseObservation> FollowPointsOfLast(const Frame& frame, const Map& map) const;
   void AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& points) const;
   Rigid3 LastPose(const Map& map) const;
   Rigid3 PredictedPose(const Frame& frame, const Map& map) const;
@@ -118,6 +138,7 @@ class Tracker {
   MoverFinder movers_;
   Surfaces surfaces_;
   DepthGrid depth_;  ///< of the newest frame
+  cv::Mat grey_;     ///< the same
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
   std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something

@@ -56,7 +56,7 @@ std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map
   AddDepthPointsOfLast(map, points);
   const auto radius_px = static_cast<float>(options_.search_radius_px);
   const std::vector<int> rows = MatchKnownPoints(frame, *guess, LastPose(map), points, radius_px);
-  Fix fix = FixFromPoints(frame, *guess, points, rows, surfaces_.Pair(depth_, *frame.rig, *guess, map));
+  Fix fix = FixFromPoints(frame, *guess, points, rows, {surfaces_.Pair(depth_, *frame.rig, *guess, map), {}});
   if (fix.num_in_all() < kFewMatches) return std::nullopt;
   return fix;
 }
