@@ -36,7 +36,8 @@ struct Config {
   bool localize_only = false;
   int64_t seed = 1;        ///< of everything that is drawn by chance: RANSAC in relocalisation
   int64_t max_frames = 0;  ///< only so many pictures from the start of a sequence; 0: all
-  DetectionOptions detection;
+  /// Weaker boxes count than in pictures to look at: a missed person costs more than the points of a false one.
+  DetectionOptions detection{.confidence = 0.2};
   FeatureOptions features;
   TrackingOptions tracking;
   MappingOptions mapping;
