@@ -13,6 +13,13 @@
 
 namespace yorb {
 
+/// Weaker boxes count than in pictures to look at: a missed person costs more than the points of a false one.
+inline DetectionOptions DetectionInRuns() {
+  DetectionOptions options;
+  options.confidence = 0.2;
+  return options;
+}
+
 /// How the stages run; all modes run the same functions.
 enum class Mode {
   kInline,   ///< one thread: same seed, same bits
@@ -36,8 +43,7 @@ struct Config {
   bool localize_only = false;
   int64_t seed = 1;        ///< of everything that is drawn by chance: RANSAC in relocalisation
   int64_t max_frames = 0;  ///< only so many pictures from the start of a sequence; 0: all
-  /// Weaker boxes count than in pictures to look at: a missed person costs more than the points of a false one.
-  DetectionOptions detection{.confidence = 0.2};
+  DetectionOptions detection = DetectionInRuns();
   FeatureOptions features;
   TrackingOptions tracking;
   MappingOptions mapping;
