@@ -23,13 +23,13 @@ DepthCells::DepthCells(const DepthImage& depth) {
   }
 }
 
-CellRange DepthCells::RangeOf(const Box& box, double margin_px) const {
+CellRange CellsOf(const Box& box, int columns, int rows, double margin_px) {
   const auto cell = [](double px, int most) {
     return static_cast<int>(std::clamp(px / kDepthCellPx, 0.0, static_cast<double>(most)));
   };
-  return {cell(std::floor(box.left - margin_px), columns_), cell(std::floor(box.top - margin_px), rows_),
-          cell(std::ceil(box.right + margin_px) + kDepthCellPx - 1, columns_),
-          cell(std::ceil(box.bottom + margin_px) + kDepthCellPx - 1, rows_)};
+  return {cell(std::floor(box.left - margin_px), columns), cell(std::floor(box.top - margin_px), rows),
+          cell(std::ceil(box.right + margin_px) + kDepthCellPx - 1, columns),
+          cell(std::ceil(box.bottom + margin_px) + kDepthCellPx - 1, rows)};
 }
 
 }  // namespace yorb

@@ -18,6 +18,9 @@ struct CellRange {
   int size() const { return right > left && bottom > top ? (right - left) * (bottom - top) : 0; }
 };
 
+/// The cells that a box, grown by `margin_px` on each side, covers in a picture of so many.
+CellRange CellsOf(const Box& box, int columns, int rows, double margin_px = 0);
+
 /// A depth picture at a quarter of its size: of each cell one measured pixel.
 class DepthCells {
  public:
@@ -33,8 +36,8 @@ class DepthCells {
     return static_cast<size_t>(row) * static_cast<size_t>(columns_) + static_cast<size_t>(column);
   }
 
-  /// The cells that a box, grown by `margin_px` on each side, covers.
-  CellRange RangeOf(const Box& box, double margin_px = 0) const;
+  /// The cells that a box covers.
+  CellRange RangeOf(const Box& box, double margin_px = 0) const { return CellsOf(box, columns_, rows_, margin_px); }
 
  private:
   int columns_ = 0, rows_ = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "dynamics/body.h"
@@ -172,6 +173,25 @@ std::vector<Verdict> MovingAreas::Judge(const std::vector<Keypoint>& points) con
   verdicts.reserve(points.size());
   for (const Keypoint& point : points) verdicts.push_back(Judge(point));
   return verdicts;
+}
+
+cv::Mat MovingAreas::Covered(const cv::Size& size) const {
+  const bool has_boxes = bodies_.empty() && !boxes_.empty();
+  if (!has_boxes && ignored_.empty()) return bodies_;
+  const cv::Size cells(std::max(1, size.width / kDepthCellPx), std::max(1, size.height / kDepthCellPx));
+  cv::Mat covered = bodies_.size() == cells ? bodies_.clone() : cv::Mat::zeros(cells, CV_8UC1);
+  if (has_boxes) {
+    for (const Box& box : boxes_) {
+      const CellRange range = CellsOf(box, cells.width, cells.height);
+      if (range.size() > 0) covered(cv::Range(range.top, range.bottom), cv::Range(range.left, range.right)).setTo(1);
+    }
+  }
+  if (!ignored_.empty()) {
+    cv::Mat ignored;
+    cv::resize(ignored_ != 0, ignored, cells, 0, 0, cv::INTER_AREA);
+    covered.setTo(1, ignored);
+  }
+  return covered;
 }
 
 bool MovingAreas::Ignores(const Keypoint& point) const {

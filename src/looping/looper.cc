@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "looping/looper.h"
 
+#include <algorithm>
+
 #include "looping/close.h"
 #include "optimize/global_bundle.h"
 
@@ -18,17 +20,28 @@ std::optional<Correction> Looper::Look(KeyframeId id, const Map& map) {
   return Close(map, *recognition);
 }
 
-std::optional<Recognition> Looper::Find(const Keyframe& keyframe, const Map& map) const {
+std::optional<Recognition> Looper::Find(const Keyframe& keyframe, const Map& map) {
   constexpr size_t kCandidates = 10;
   const auto may_be = [&](KeyframeId other) { return other < keyframe.id && !AreNear(map, keyframe.id, other); };
   for (const KeyframeId older : memory_.Recall(map, *keyframe.bag, kCandidates, may_be)) {
     const Random random(static_cast<uint64_t>(seed_), keyframe.id.value());
     const auto recognition = Recognize(map, keyframe, *map.Find(older), options_, random);
-    const bool holds =
-        recognition && IsPlausible(map, *recognition, options_) && IsConfirmed(map, *recognition, options_);
-    if (holds) return recognition;
+    if (!recognition || !IsPlausible(map, *recognition, options_)) continue;
+    if (IsConfirmed(map, *recognition, options_) || IsSeenAgain(map, *recognition)) return recognition;
   }
   return std::nullopt;
+}
+
+/// Whether one of the last keyframes was recognized there, too; remembers this one for the next.
+bool Looper::IsSeenAgain(const Map& map, const Recognition& recognition) {
+  constexpr size_t kMostRemembered = 20;
+  const auto agrees = [&](const Glimpse& glimpse) { return Agrees(map, recognition, glimpse); };
+  if (std::any_of(glimpses_.begin(), glimpses_.end(), agrees)) return true;
+  const Rigid3 older_from_world = map.Find(recognition.older)->cam_from_world;
+  glimpses_.push_back(
+      {recognition.newer, recognition.older, recognition.cam_from_world * older_from_world.Inverse()});
+  if (glimpses_.size() > kMostRemembered) glimpses_.pop_front();
+  return false;
 }
 
 std::optional<Correction> Looper::Adjust(const Map& map, const std::function<bool()>& should_stop) {

@@ -5,6 +5,7 @@
 // Runs on: whichever thread calls. May not: change the map, start threads, read files.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <optional>
 
@@ -34,12 +35,14 @@ class Looper {
   std::optional<Correction> Adjust(const Map& map, const std::function<bool()>& should_stop);
 
  private:
-  std::optional<Recognition> Find(const Keyframe& keyframe, const Map& map) const;
+  std::optional<Recognition> Find(const Keyframe& keyframe, const Map& map);
+  bool IsSeenAgain(const Map& map, const Recognition& recognition);
 
   LoopingOptions options_;
   PlaceMemory memory_;
   int64_t seed_;
-  KeyframeId wants_to_adjust_;  // a keyframe of the sub-map
+  KeyframeId wants_to_adjust_;     // a keyframe of the sub-map
+  std::deque<Glimpse> glimpses_;  // the newest recognitions that nothing confirmed
 };
 
 }  // namespace yorb

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "looping/recognize.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "localize/evidence.h"
@@ -11,6 +12,7 @@
 namespace yorb {
 namespace {
 
+constexpr float kWide = 5, kNarrow = 2;  // of the usual search around a landmark, first and once a pose is known
 constexpr double kPi = 3.14159265358979323846;
 
 /// A keyframe and what is around it.
@@ -21,21 +23,31 @@ std::vector<KeyframeId> PlaceOf(const Keyframe& keyframe) {
 }
 
 /// The pose of a frame that should be near `guess`, on the landmarks of a place alone.
-Fix FixAtPlace(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<KeyframeId>& place) {
-  constexpr float kWidening = 5;
+Fix FixAtPlace(const Frame& frame, const Map& map, const Rigid3& guess, const std::vector<KeyframeId>& place,
+               float widening) {
   Fix fix;
   fix.cam_from_world = guess;
   fix.matches.resize(frame.size());
   LocalMap local;
   local.keyframes = place;
-  const auto expected = ExpectLocalLandmarks(map, local, frame, guess, fix.matches, kWidening);
+  const auto expected = ExpectLocalLandmarks(map, local, frame, guess, fix.matches, widening);
   return FixWithExpected(frame, map, fix, expected);
 }
 
-/// Whether a fix shows as much as the options ask for, or a part of it.
+/// Whether a fix shows as much as the options ask for, or a part of it. Where people hide the view, few landmarks can be
+/// seen at all: fewer are enough where a larger share of them is.
 bool Holds(const Fix& fix, const Evidence& evidence, const LoopingOptions& options, double part = 1) {
-  return static_cast<double>(fix.num_inliers) >= part * options.min_inliers &&
+  constexpr double kMostEase = 1.5;
+  const double ease = std::clamp(evidence.Share() / std::max(options.min_share, 1e-6), 1.0, kMostEase);
+  return static_cast<double>(fix.num_inliers) >= part * options.min_inliers / ease &&
          evidence.Share() >= part * options.min_share && evidence.spread >= part * options.min_spread;
+}
+
+/// Whether a pose was found about where it was expected.
+bool IsNear(const Rigid3& found, const Rigid3& expected) {
+  constexpr double kMaxShiftM = 0.1, kMaxTurnRad = 0.07;
+  const Rigid3 off = found * expected.Inverse();
+  return off.translation.norm() < kMaxShiftM && off.RotationAngle() < kMaxTurnRad;
 }
 
 /// How far the camera went from one keyframe to another, by the keyframes between.
@@ -73,7 +85,8 @@ std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, cons
   const auto coarse = RelocalizeAgainst(*newer.frame, map, older, {kWorthALook, kRadiusPx}, random);
   if (!coarse) return std::nullopt;
   const std::vector<KeyframeId> place = PlaceOf(older);
-  const Fix fix = FixAtPlace(*newer.frame, map, coarse->cam_from_world, place);
+  Fix fix = FixAtPlace(*newer.frame, map, coarse->cam_from_world, place, kWide);
+  fix = FixAtPlace(*newer.frame, map, fix.cam_from_world, place, kNarrow);
   const Evidence evidence = Weigh(*newer.frame, map, fix, place);
   if (!Holds(fix, evidence, options)) return std::nullopt;
   return Recognition{newer.id, older.id, fix.cam_from_world, fix.num_inliers, evidence.Share()};
@@ -83,7 +96,6 @@ bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOp
   constexpr size_t kAsked = 5;
   constexpr int kMinShared = 30;
   constexpr double kPart = 0.7;                          // of what is asked for, where the pose is known beforehand
-  constexpr double kMaxShift = 0.1, kMaxTurnRad = 0.07;  // between what was expected and what was found
   if (recognition.num_inliers >= static_cast<size_t>(options.certain_inliers) &&
       recognition.share >= options.certain_share) {
     return true;
@@ -93,12 +105,21 @@ bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOp
   for (const KeyframeId id : newer.Strongest(kAsked, kMinShared)) {
     const Keyframe& beside = *map.Find(id);
     const Rigid3 guess = beside.cam_from_world * newer.cam_from_world.Inverse() * recognition.cam_from_world;
-    const Fix fix = FixAtPlace(*beside.frame, map, guess, place);
-    const Rigid3 off = fix.cam_from_world * guess.Inverse();
-    const bool agrees = off.translation.norm() < kMaxShift && off.RotationAngle() < kMaxTurnRad;
-    if (agrees && Holds(fix, Weigh(*beside.frame, map, fix, place), options, kPart)) return true;
+    const Fix fix = FixAtPlace(*beside.frame, map, guess, place, kWide);
+    if (IsNear(fix.cam_from_world, guess) && Holds(fix, Weigh(*beside.frame, map, fix, place), options, kPart)) return true;
   }
   return false;
+}
+
+bool Agrees(const Map& map, const Recognition& recognition, const Glimpse& earlier) {
+  const Keyframe& newer = *map.Find(recognition.newer);
+  const Keyframe* before = map.Find(earlier.newer);
+  const Keyframe* place = map.Find(earlier.older);
+  if (!before || !place || before->id == newer.id || before->root != newer.root) return false;
+  if (place->root != map.Find(recognition.older)->root) return false;
+  const Rigid3 newer_from_before = newer.cam_from_world * before->cam_from_world.Inverse();
+  const Rigid3 guess = newer_from_before * earlier.newer_from_older * place->cam_from_world;
+  return IsNear(recognition.cam_from_world, guess);
 }
 
 bool IsPlausible(const Map& map, const Recognition& recognition, const LoopingOptions& options) {

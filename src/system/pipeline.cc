@@ -38,7 +38,7 @@ FeatureOptions FeaturesOf(const Config& config) {
 MapSnapshot StartOf(const SlamParts& parts) { return parts.map ? parts.map : std::make_shared<const Map>(); }
 
 TrackerTask TaskOf(const Config& config, const SlamParts& parts) {
-  return {StartOf(parts)->num_keyframes() > 0, config.localize_only};
+  return {StartOf(parts)->num_keyframes() > 0, DynamicsOf(config) == Dynamics::kFull, config.localize_only};
 }
 
 /// The first frame id that no keyframe of the map has.
@@ -218,7 +218,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_boxes = static_cast<int>(areas.boxes().size());
   record.num_bridged = areas.num_bridged();
   if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
-  if (follows_bodies_) extracted.sight.depth = grids_.Make(images.depth, areas.bodies());
+  if (parts_.detector) extracted.sight.depth = grids_.Make(images.depth, areas.Covered(images.depth.pixels.size()));
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
   Features suspects;

@@ -30,6 +30,7 @@ struct Tracked {
 /// What a tracker is to do with the map.
 struct TrackerTask {
   bool has_map = false;       ///< there is one already, in which the camera is sought; otherwise one is begun
+  bool finds_movers = false;  ///< by geometry, where depth pictures are given
   bool only_locates = false;  ///< nothing is proposed, and only landmarks of the map confirm a pose
 };
 

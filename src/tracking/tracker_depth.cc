@@ -76,7 +76,7 @@ std::optional<Fix> Tracker::TrackBySurfacesAlone(const Frame& frame, const Map& 
 
 /// Landmarks that the camera sees through are not there any more.
 void Tracker::CountGone(const Frame& frame, const Map& map, const Located& located) {
-  if (depth_.empty()) return;
+  if (depth_.empty() || !task_.finds_movers) return;
   for (const LandmarkId id : located.visible) {
     const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
     if (landmark && IsSeenThrough(depth_, *frame.rig, located.fix.cam_from_world * landmark->position)) {
@@ -89,7 +89,7 @@ void Tracker::CountGone(const Frame& frame, const Map& map, const Located& locat
 /// them, if only few keyframes know them, are as good as gone.
 std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const Map& map, Fix& fix) {
   constexpr size_t kEnoughMatches = 20;  // to find the pose anew without what moves
-  if (depth_.empty()) return {};
+  if (depth_.empty() || !task_.finds_movers) return {};
   PosedFrame posed{frame, std::vector<bool>(frame->size()), {last_.reference, last_.cam_from_reference}};
   for (size_t i = 0; i < frame->size(); ++i) posed.is_known[i] = fix.matches[i].IsValid();
   const auto is_moving = PointsOnMovers(*frame, movers_.Find(std::move(posed), depth_, map));
