@@ -202,6 +202,35 @@ TEST(Remover, TheUsersMaskCountsInEveryMode) {
   }
 }
 
+TEST(Remover, NoWallIsMeasuredInABoxNorUnderAMask) {
+  Scene scene = MakeScene(1.5);
+  const auto covered = [&](Dynamics dynamics) {
+    Remover remover(dynamics, MotionTable::Default(), 1.2);
+    return remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp}).Covered({kWidth, kHeight});
+  };
+  const auto marked = [](const cv::Mat& cells, double x, double y) {
+    return cells.at<uint8_t>(static_cast<int>(y) * cells.rows / kHeight, static_cast<int>(x) * cells.cols / kWidth) !=
+           0;
+  };
+  const double middle_x = (scene.box.left + scene.box.right) / 2, middle_y = (scene.box.top + scene.box.bottom) / 2;
+  EXPECT_TRUE(covered(Dynamics::kOff).empty());
+  const cv::Mat whole = covered(Dynamics::kPaper), body = covered(Dynamics::kFull);
+  for (const cv::Mat& cells : {whole, body}) {
+    EXPECT_TRUE(marked(cells, middle_x, middle_y));
+    EXPECT_FALSE(marked(cells, 1, 1));
+  }
+  EXPECT_TRUE(marked(whole, scene.box.left + 1, scene.box.top + 1));
+  EXPECT_GT(cv::countNonZero(whole), cv::countNonZero(body));
+  scene.images.ignored = cv::Mat(kHeight, kWidth, CV_8UC1, cv::Scalar(0));
+  scene.images.ignored.rowRange(0, 8).setTo(1);
+  for (const Dynamics dynamics : {Dynamics::kOff, Dynamics::kPaper, Dynamics::kFull}) {
+    const cv::Mat cells = covered(dynamics);
+    EXPECT_TRUE(marked(cells, 1, 1));
+    EXPECT_FALSE(marked(cells, 1, kHeight - 2));
+    EXPECT_EQ(marked(cells, middle_x, middle_y), dynamics != Dynamics::kOff);
+  }
+}
+
 TEST(Kept, KeepsTheOrder) {
   Features features;
   for (int i = 0; i < 5; ++i) {

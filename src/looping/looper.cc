@@ -38,8 +38,7 @@ bool Looper::IsSeenAgain(const Map& map, const Recognition& recognition) {
   const auto agrees = [&](const Glimpse& glimpse) { return Agrees(map, recognition, glimpse); };
   if (std::any_of(glimpses_.begin(), glimpses_.end(), agrees)) return true;
   const Rigid3 older_from_world = map.Find(recognition.older)->cam_from_world;
-  glimpses_.push_back(
-      {recognition.newer, recognition.older, recognition.cam_from_world * older_from_world.Inverse()});
+  glimpses_.push_back({recognition.newer, recognition.older, recognition.cam_from_world * older_from_world.Inverse()});
   if (glimpses_.size() > kMostRemembered) glimpses_.pop_front();
   return false;
 }

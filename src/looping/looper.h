@@ -41,7 +41,7 @@ class Looper {
   LoopingOptions options_;
   PlaceMemory memory_;
   int64_t seed_;
-  KeyframeId wants_to_adjust_;     // a keyframe of the sub-map
+  KeyframeId wants_to_adjust_;    // a keyframe of the sub-map
   std::deque<Glimpse> glimpses_;  // the newest recognitions that nothing confirmed
 };
 

@@ -34,13 +34,13 @@ Fix FixAtPlace(const Frame& frame, const Map& map, const Rigid3& guess, const st
   return FixWithExpected(frame, map, fix, expected);
 }
 
-/// Whether a fix shows as much as the options ask for, or a part of it. Where people hide the view, few landmarks can be
-/// seen at all: fewer are enough where a larger share of them is.
+/// Whether a fix shows as much as the options ask for, or a part of it. Where people hide the view, few landmarks can
+/// be seen at all: fewer are enough where a larger share of them is.
 bool Holds(const Fix& fix, const Evidence& evidence, const LoopingOptions& options, double part = 1) {
   constexpr double kMostEase = 1.5;
   const double ease = std::clamp(evidence.Share() / std::max(options.min_share, 1e-6), 1.0, kMostEase);
   return static_cast<double>(fix.num_inliers) >= part * options.min_inliers / ease &&
-         evidence.Share() >= part * options.min_share && evidence.spread >= part * options.min_spread;
+         evidence.Share() >= part * options.min_share && evidence.spread >= part * options.min_spread / ease;
 }
 
 /// Whether a pose was found about where it was expected.
@@ -95,7 +95,7 @@ std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, cons
 bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOptions& options) {
   constexpr size_t kAsked = 5;
   constexpr int kMinShared = 30;
-  constexpr double kPart = 0.7;                          // of what is asked for, where the pose is known beforehand
+  constexpr double kPart = 0.7;  // of what is asked for, where the pose is known beforehand
   if (recognition.num_inliers >= static_cast<size_t>(options.certain_inliers) &&
       recognition.share >= options.certain_share) {
     return true;
@@ -106,7 +106,8 @@ bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOp
     const Keyframe& beside = *map.Find(id);
     const Rigid3 guess = beside.cam_from_world * newer.cam_from_world.Inverse() * recognition.cam_from_world;
     const Fix fix = FixAtPlace(*beside.frame, map, guess, place, kWide);
-    if (IsNear(fix.cam_from_world, guess) && Holds(fix, Weigh(*beside.frame, map, fix, place), options, kPart)) return true;
+    if (IsNear(fix.cam_from_world, guess) && Holds(fix, Weigh(*beside.frame, map, fix, place), options, kPart))
+      return true;
   }
   return false;
 }

@@ -107,6 +107,23 @@ TEST_F(Looping, ARecognitionThatAsksForMoreDriftThanThePathCanHaveIsNone) {
   EXPECT_FALSE(LookAtNewest(map).has_value());
 }
 
+TEST_F(Looping, TwoGlimpsesOfOnePlaceAgreeAndOthersDoNot) {
+  const SyntheticWorld world(1);
+  const TwoVisits visits = VisitTwice(world, world, true);
+  const Map& map = visits.map;
+  // What two keyframes of the second visit would find in the world of the first, each by itself.
+  const auto pose = [](size_t i) { return PosesAlongX(6, 0.3)[i]; };
+  const Recognition recognition{visits.second[5], visits.first[5], pose(5), 50, 0.3};
+  const Glimpse right{visits.second[3], visits.first[2], pose(3) * pose(2).Inverse()};
+  EXPECT_TRUE(Agrees(map, recognition, right));
+  Glimpse wrong = right;
+  wrong.newer_from_older.translation.z() += 0.3;
+  EXPECT_FALSE(Agrees(map, recognition, wrong));
+  EXPECT_FALSE(Agrees(map, recognition, {visits.second[5], visits.first[5], pose(5) * pose(5).Inverse()}))
+      << "one keyframe is no second witness";
+  EXPECT_FALSE(Agrees(map, recognition, {KeyframeId(1000), visits.first[2], right.newer_from_older})) << "it is gone";
+}
+
 TEST_F(Looping, IsSilentWithoutAVocabularyAndWhenSwitchedOff) {
   LoopingOptions off;
   off.close_loops = false;

@@ -48,6 +48,11 @@ uint32_t NextFrame(const Map& map) {
   return next;
 }
 
+/// The share of a mask that is not 0.
+double ShareOf(const cv::Mat& mask) {
+  return mask.empty() ? 0 : static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
+}
+
 /// What the tracker says of a frame, with what is known from before.
 FrameRecord Joined(const FrameRecord& before, const FrameRecord& tracked, double track_ms) {
   FrameRecord record = tracked;
@@ -218,7 +223,11 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_boxes = static_cast<int>(areas.boxes().size());
   record.num_bridged = areas.num_bridged();
   if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
-  if (parts_.detector) extracted.sight.depth = grids_.Make(images.depth, areas.Covered(images.depth.pixels.size()));
+  if (parts_.detector) {
+    const cv::Mat covered = areas.Covered(images.grey.size());
+    extracted.sight.depth = grids_.Make(images.depth, covered);
+    extracted.sight.hidden = ShareOf(covered);
+  }
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
   Features suspects;

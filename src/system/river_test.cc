@@ -224,6 +224,30 @@ TEST(River, WallsCarryOnForSomeFramesWithoutAPoint) {
   }
 }
 
+TEST(River, MotionCarriesOnForOneFrameWherePeopleHideAll) {
+  const SyntheticWorld world(19, Noisy()), dark(13, [] {
+    SyntheticWorldOptions options;
+    options.num_points = 0;
+    return options;
+  }());
+  River river;
+  for (int k = 0; k < 24; ++k) {
+    const bool is_hidden = k == 10 || k == 14 || k == 15, is_dark = k == 20;
+    const SyntheticWorld& seen = is_hidden || is_dark ? dark : world;
+    const FrameRecord record = river.Push(seen.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame,
+                                          {{}, {}, is_hidden ? 0.8 : 0.1});
+    if (k == 15 || is_dark) {
+      EXPECT_NE(record.state, TrackingState::kTracking) << "not for long, and never where nothing hides the view";
+      continue;
+    }
+    ASSERT_EQ(record.state, TrackingState::kTracking) << k;
+    EXPECT_LT(Error(river.PoseOf(record), k), 0.03) << k;
+    if (!is_hidden) continue;
+    EXPECT_EQ(record.num_inliers, 0);
+    EXPECT_FALSE(record.is_keyframe);
+  }
+}
+
 /// A picture in which every point is a speckled patch of its own.
 cv::Mat Draw(const SyntheticWorld::View& view, const Rig& rig) {
   constexpr int kSide = 9;

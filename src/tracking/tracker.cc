@@ -44,6 +44,7 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, Sight sight) {
   depth_ = std::move(sight.depth);
   grey_ = std::move(sight.grey);
+  hidden_ = sight.hidden;
   Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
@@ -159,7 +160,7 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
   }
   if (!best) take(RelocalizeInMap(frame, map));
   if (!best && state_ == TrackingState::kTracking) {
-    if (auto alone = TrackBySurfacesAlone(frame, map)) best = Located{std::move(*alone), {}, {}};
+    if (auto alone = TrackBlindly(frame, map)) best = Located{std::move(*alone), {}, {}};
   }
   return sought;
 }

@@ -16,6 +16,7 @@
 #include "motion/mover_finder.h"
 #include "motion/surfaces.h"
 #include "tracking/motion_model.h"
+#include "tracking/sight.h"
 #include "tracking/tracking_options.h"
 
 namespace yorb {
@@ -32,12 +33,6 @@ struct TrackerTask {
   bool has_map = false;       ///< there is one already, in which the camera is sought; otherwise one is begun
   bool finds_movers = false;  ///< by geometry, where depth pictures are given
   bool only_locates = false;  ///< nothing is proposed, and only landmarks of the map confirm a pose
-};
-
-/// What a tracker may look at beside the points of a frame; each may be empty.
-struct Sight {
-  DepthGrid depth;  ///< what moves is looked for in it, and surfaces hold a pose that its points leave unsure
-  cv::Mat grey;     ///< CV_8UC1: points that descriptors do not find again are followed in it
 };
 
 class Tracker {
@@ -69,7 +64,7 @@ class Tracker {
     Rigid3 cam_from_reference;
     std::vector<LandmarkId> matches;
     size_t num_found = 0;  ///< of `matches`, before a keyframe that was made of the frame brought more
-    int num_blind = 0;     ///< frames in a row up to it that surfaces alone speak for
+    int num_blind = 0;     ///< frames in a row up to it in which no point speaks for the pose
     FramePtr picture;      ///< the frame as it came, with all of its points
     cv::Mat grey;          ///< its pixels, if they were given
   };
@@ -104,7 +99,7 @@ class Tracker {
   std::optional<Fix> TrackFromPrediction(const Frame& frame, const Map& map) const;
   std::optional<Rigid3> PoseOnSurfaces(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromSurfaces(const Frame& frame, const Map& map) const;
-  std::optional<Fix> TrackBySurfacesAlone(const Frame& frame, const Map& map) const;
+  std::optional<Fix> TrackBlindly(const Frame& frame, const Map& map) const;
   std::optional<Fix> TrackFromKeyframe(const Frame& frame, const Map& map) const;
   std::optional<Fix> RelocalizeInMap(const Frame& frame, const Map& map);
   std::optional<Located> TrackLocalMap(const Frame& frame, const Map& map, const Fix& coarse) const;
@@ -138,8 +133,9 @@ class Tracker {
   MotionModel motion_;
   MoverFinder movers_;
   Surfaces surfaces_;
-  DepthGrid depth_;  ///< of the newest frame
-  cv::Mat grey_;     ///< the same
+  DepthGrid depth_;    ///< of the newest frame
+  cv::Mat grey_;       ///< the same
+  double hidden_ = 0;  ///< the same
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
   std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something

@@ -33,6 +33,7 @@ std::optional<Rigid3> Tracker::PoseOnSurfaces(const Frame& frame, const Map& map
   constexpr size_t kEnoughPairs = 50, kFewPairs = 20;  // at the end, and on the way there
   constexpr int kRounds = 6;
   constexpr double kTurnSigma = 0.1, kShiftSigmaM = 0.03;  // of the prediction
+  if (depth_.empty()) return std::nullopt;
   ExpectedPose expected{PredictedPose(frame, map), Matrix6d::Zero()};
   expected.information.diagonal().head<3>().setConstant(1 / (kTurnSigma * kTurnSigma));
   expected.information.diagonal().tail<3>().setConstant(1 / (kShiftSigmaM * kShiftSigmaM));
@@ -49,7 +50,6 @@ std::optional<Rigid3> Tracker::PoseOnSurfaces(const Frame& frame, const Map& map
 
 /// Surfaces say where to look for the points.
 std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map) const {
-  if (depth_.empty()) return std::nullopt;
   const auto guess = PoseOnSurfaces(frame, map);
   if (!guess) return std::nullopt;
   std::vector<KnownPoint> points = LandmarksOfLast(map);
@@ -61,16 +61,20 @@ std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map
   return fix;
 }
 
-/// Where hardly a point is left for some frames, walls and floors may carry on alone, if the camera goes on as it did.
-std::optional<Fix> Tracker::TrackBySurfacesAlone(const Frame& frame, const Map& map) const {
+/// Where hardly a point is left, walls and floors may carry on alone for some frames, if the camera goes on as it did.
+/// Where they say nothing, and moving things hide much of the picture, its motion alone may, for one.
+std::optional<Fix> Tracker::TrackBlindly(const Frame& frame, const Map& map) const {
   constexpr int kMostInARow = 3;
-  if (depth_.empty() || task_.only_locates || last_.num_blind >= kMostInARow) return std::nullopt;
-  const auto pose = PoseOnSurfaces(frame, map);
-  if (!pose) return std::nullopt;
+  constexpr double kMuchHidden = 0.3;
+  if (task_.only_locates || last_.num_blind >= kMostInARow) return std::nullopt;
   Fix fix;
-  fix.cam_from_world = *pose;
   fix.matches.resize(frame.size());
-  if (!GoesOn(frame, map, fix)) return std::nullopt;
+  if (const auto pose = PoseOnSurfaces(frame, map)) {
+    fix.cam_from_world = *pose;
+    if (GoesOn(frame, map, fix)) return fix;
+  }
+  if (last_.num_blind > 0 || hidden_ < kMuchHidden || !motion_.rate()) return std::nullopt;
+  fix.cam_from_world = PredictedPose(frame, map);
   return fix;
 }
 
