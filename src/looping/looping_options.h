@@ -10,8 +10,8 @@ namespace yorb {
 struct LoopingOptions {
   bool close_loops = true;  ///< and join sub-maps; needs a vocabulary
   int min_inliers = 40;     ///< landmarks of the old place that the new keyframe sees; see `min_share`
-  /// Of those that it should see from there. Where more of them are seen, down to two thirds of `min_inliers` and
-  /// `min_spread` are enough.
+  /// Of those that it should see from there. Within a sub-map, where more of them are seen, down to two thirds of
+  /// `min_inliers` and `min_spread` are enough.
   double min_share = 0.12;
   double min_spread = 0.5;         ///< of the picture, over how much they must scatter
   int certain_inliers = 100;       ///< so many, at `certain_share`, need no second keyframe that agrees

@@ -34,13 +34,19 @@ Fix FixAtPlace(const Frame& frame, const Map& map, const Rigid3& guess, const st
   return FixWithExpected(frame, map, fix, expected);
 }
 
-/// Whether a fix shows as much as the options ask for, or a part of it. Where people hide the view, few landmarks can
-/// be seen at all: fewer are enough where a larger share of them is.
-bool Holds(const Fix& fix, const Evidence& evidence, const LoopingOptions& options, double part = 1) {
+/// The part of what the options ask for that is enough. Where people hide the view, few landmarks can be seen at all:
+/// fewer do where a larger share of them is. Nothing is let off between sub-maps, where no drift is too much.
+double PartNeeded(const Keyframe& newer, const Keyframe& older, const Evidence& evidence,
+                  const LoopingOptions& options) {
   constexpr double kMostEase = 1.5;
-  const double ease = std::clamp(evidence.Share() / std::max(options.min_share, 1e-6), 1.0, kMostEase);
-  return static_cast<double>(fix.num_inliers) >= part * options.min_inliers / ease &&
-         evidence.Share() >= part * options.min_share && evidence.spread >= part * options.min_spread / ease;
+  if (newer.root != older.root) return 1;
+  return 1 / std::clamp(evidence.Share() / std::max(options.min_share, 1e-6), 1.0, kMostEase);
+}
+
+/// Whether a fix shows as much as the options ask for, or a part of it.
+bool Holds(const Fix& fix, const Evidence& evidence, const LoopingOptions& options, double part) {
+  return static_cast<double>(fix.num_inliers) >= part * options.min_inliers &&
+         evidence.Share() >= part * options.min_share && evidence.spread >= part * options.min_spread;
 }
 
 /// Whether a pose was found about where it was expected.
@@ -88,7 +94,7 @@ std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, cons
   Fix fix = FixAtPlace(*newer.frame, map, coarse->cam_from_world, place, kWide);
   fix = FixAtPlace(*newer.frame, map, fix.cam_from_world, place, kNarrow);
   const Evidence evidence = Weigh(*newer.frame, map, fix, place);
-  if (!Holds(fix, evidence, options)) return std::nullopt;
+  if (!Holds(fix, evidence, options, PartNeeded(newer, older, evidence, options))) return std::nullopt;
   return Recognition{newer.id, older.id, fix.cam_from_world, fix.num_inliers, evidence.Share()};
 }
 
@@ -101,13 +107,15 @@ bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOp
     return true;
   }
   const Keyframe& newer = *map.Find(recognition.newer);
-  const std::vector<KeyframeId> place = PlaceOf(*map.Find(recognition.older));
+  const Keyframe& older = *map.Find(recognition.older);
+  const std::vector<KeyframeId> place = PlaceOf(older);
   for (const KeyframeId id : newer.Strongest(kAsked, kMinShared)) {
     const Keyframe& beside = *map.Find(id);
     const Rigid3 guess = beside.cam_from_world * newer.cam_from_world.Inverse() * recognition.cam_from_world;
     const Fix fix = FixAtPlace(*beside.frame, map, guess, place, kWide);
-    if (IsNear(fix.cam_from_world, guess) && Holds(fix, Weigh(*beside.frame, map, fix, place), options, kPart))
-      return true;
+    const Evidence evidence = Weigh(*beside.frame, map, fix, place);
+    const double part = kPart * PartNeeded(newer, older, evidence, options);
+    if (IsNear(fix.cam_from_world, guess) && Holds(fix, evidence, options, part)) return true;
   }
   return false;
 }
@@ -116,8 +124,9 @@ bool Agrees(const Map& map, const Recognition& recognition, const Glimpse& earli
   const Keyframe& newer = *map.Find(recognition.newer);
   const Keyframe* before = map.Find(earlier.newer);
   const Keyframe* place = map.Find(earlier.older);
-  if (!before || !place || before->id == newer.id || before->root != newer.root) return false;
-  if (place->root != map.Find(recognition.older)->root) return false;
+  if (!before || !place || before->id == newer.id) return false;
+  const bool is_within = before->root == newer.root && place->root == newer.root;
+  if (!is_within || map.Find(recognition.older)->root != newer.root) return false;
   const Rigid3 newer_from_before = newer.cam_from_world * before->cam_from_world.Inverse();
   const Rigid3 guess = newer_from_before * earlier.newer_from_older * place->cam_from_world;
   return IsNear(recognition.cam_from_world, guess);

@@ -30,12 +30,14 @@ std::optional<Recognition> Recognize(const Map& map, const Keyframe& newer, cons
 /// place, too.
 bool IsConfirmed(const Map& map, const Recognition& recognition, const LoopingOptions& options);
 
-/// Whether another keyframe was recognized, by itself, where this recognition says that it must be: `earlier` holds how
-/// its newer keyframe lies to its older one, and both are in the map still.
+/// A recognition that nothing confirmed, in a form that corrections of the map leave right.
 struct Glimpse {
   KeyframeId newer, older;
   Rigid3 newer_from_older;
 };
+
+/// Whether another keyframe was recognized before, by itself, where this recognition says that it must be. Only within
+/// a sub-map, where there is a drift to be judged as well.
 bool Agrees(const Map& map, const Recognition& recognition, const Glimpse& earlier);
 
 /// Whether the map can have drifted so far on the way between the two; always so between sub-maps.
