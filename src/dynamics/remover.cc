@@ -7,7 +7,6 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
-#include "dynamics/body.h"
 #include "dynamics/lying_cells.h"
 #include "dynamics/outline.h"
 #include "features/frame.h"
@@ -95,8 +94,9 @@ BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Times
 }
 
 /// What moves by itself. Where boxes overlap, the body that explains most is found first, and leaves the rest to the
-/// others; boxes that are only expected come last. The tracks remember how far away their bodies are.
-CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Timestamp now) {
+/// others; boxes that are only expected come last. The tracks remember how far away their bodies are. `mask`: desks and
+/// floors, which are none.
+CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, CellMask mask, Timestamp now) {
   std::vector<Box> seen;
   std::vector<BoxTrack*> open;
   for (BoxTrack& track : tracks) {
@@ -104,7 +104,6 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ti
     if (!track.IsBridged(now)) seen.push_back(track.at.box);
     open.push_back(&track);
   }
-  CellMask mask = MarkLying(depth);
   while (!open.empty()) {
     const BodySearch search{depth, mask, seen};
     std::optional<BodySign> sign;
@@ -212,6 +211,12 @@ Features Kept(Features features, const std::function<bool(size_t)>& is_kept) {
 Remover::Remover(Dynamics dynamics, MotionTable table, double scale_factor, double sure_confidence)
     : dynamics_(dynamics), table_(std::move(table)), scale_factor_(scale_factor), tracks_(sure_confidence) {}
 
+void Remover::Prepare(const ImageSet& images) {
+  if (dynamics_ != Dynamics::kFull || images.depth.empty()) return;
+  const DepthCells depth(images.depth);
+  ground_ = Ground{images.timestamp, depth, MarkLying(depth)};
+}
+
 MovingAreas Remover::Look(const ImageSet& images, const SeenAt& looked) {
   MovingAreas areas;
   areas.ignored_ = images.ignored;
@@ -240,8 +245,10 @@ void Remover::FollowBodies(const ImageSet& images, const SeenAt& looked, MovingA
   }
   areas.rules_ = BoxRules(boxes);
   if (areas.boxes_.empty() || images.depth.empty()) return;
-  const DepthCells depth(images.depth);
-  const CellMask mask = WithCarried(MaskOfBodies(tracks, depth, images.timestamp), tracks, depth);
+  if (!ground_ || ground_->at != images.timestamp) Prepare(images);
+  const Ground ground = *std::exchange(ground_, std::nullopt);
+  const DepthCells& depth = ground.depth;
+  const CellMask mask = WithCarried(MaskOfBodies(tracks, depth, ground.lying, images.timestamp), tracks, depth);
   areas.bodies_ = cv::Mat(depth.rows(), depth.columns(), CV_8UC1);
   std::transform(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>(),
                  [](uint8_t cell) { return cell == kBody ? kBody : uint8_t{0}; });

@@ -6,11 +6,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "camera/image_set.h"
 #include "detection/detector.h"
+#include "dynamics/body.h"
 #include "dynamics/box_tracks.h"
 #include "dynamics/removal_rules.h"
 
@@ -62,16 +64,27 @@ class Remover {
   /// go on from stronger ones.
   Remover(Dynamics dynamics, MotionTable table, double scale_factor, double sure_confidence = 0);
 
+  /// Does of a picture's work what needs no boxes, while somebody else looks for them. May be left out.
+  void Prepare(const ImageSet& images);
+
   /// Pictures come in the order of time.
   MovingAreas Look(const ImageSet& images, const SeenAt& looked);
 
  private:
+  /// What a depth picture shows by itself.
+  struct Ground {
+    Timestamp at;
+    DepthCells depth;
+    CellMask lying;  ///< desks and floors
+  };
+
   void FollowBodies(const ImageSet& images, const SeenAt& looked, MovingAreas& areas);
 
   Dynamics dynamics_;
   MotionTable table_;
   double scale_factor_;
   BoxTracks tracks_;
+  std::optional<Ground> ground_;  ///< of the newest picture, once it is prepared
 };
 
 }  // namespace yorb

@@ -202,6 +202,20 @@ TEST(Remover, TheUsersMaskCountsInEveryMode) {
   }
 }
 
+TEST(Remover, APreparedPictureIsJudgedAlike) {
+  const Scene near = MakeScene(1.2), far = MakeScene(1.8);
+  const std::vector<Keypoint> points = Points();
+  const SeenAt seen{{true, {near.box}}, near.images.timestamp};
+  Remover plain(Dynamics::kFull, MotionTable::Default(), 1.2), prepared = plain, misled = plain;
+  const auto expected = plain.Look(near.images, seen).Judge(points);
+  prepared.Prepare(near.images);
+  EXPECT_EQ(prepared.Look(near.images, seen).Judge(points), expected);
+  ImageSet earlier = far.images;
+  earlier.timestamp.ns -= 1'000'000'000;
+  misled.Prepare(earlier);  // of a frame that was dropped then
+  EXPECT_EQ(misled.Look(near.images, seen).Judge(points), expected);
+}
+
 TEST(Remover, NoWallIsMeasuredInABoxNorUnderAMask) {
   Scene scene = MakeScene(1.5);
   const auto covered = [&](Dynamics dynamics) {
