@@ -213,8 +213,9 @@ Remover::Remover(Dynamics dynamics, MotionTable table, double scale_factor, doub
 
 void Remover::Prepare(const ImageSet& images) {
   if (dynamics_ != Dynamics::kFull || images.depth.empty()) return;
-  const DepthCells depth(images.depth);
-  ground_ = Ground{images.timestamp, depth, MarkLying(depth)};
+  DepthCells depth(images.depth);
+  CellMask lying = MarkLying(depth);
+  ground_ = Ground{images.timestamp, std::move(depth), std::move(lying)};
 }
 
 MovingAreas Remover::Look(const ImageSet& images, const SeenAt& looked) {
@@ -246,9 +247,10 @@ void Remover::FollowBodies(const ImageSet& images, const SeenAt& looked, MovingA
   areas.rules_ = BoxRules(boxes);
   if (areas.boxes_.empty() || images.depth.empty()) return;
   if (!ground_ || ground_->at != images.timestamp) Prepare(images);
-  const Ground ground = *std::exchange(ground_, std::nullopt);
+  Ground ground = *std::exchange(ground_, std::nullopt);
   const DepthCells& depth = ground.depth;
-  const CellMask mask = WithCarried(MaskOfBodies(tracks, depth, ground.lying, images.timestamp), tracks, depth);
+  const CellMask mask =
+      WithCarried(MaskOfBodies(tracks, depth, std::move(ground.lying), images.timestamp), tracks, depth);
   areas.bodies_ = cv::Mat(depth.rows(), depth.columns(), CV_8UC1);
   std::transform(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>(),
                  [](uint8_t cell) { return cell == kBody ? kBody : uint8_t{0}; });

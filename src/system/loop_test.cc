@@ -39,10 +39,11 @@ struct TwoVisits {
   std::vector<KeyframeId> first, second;
 };
 
-TwoVisits VisitTwice(const SyntheticWorld& first_world, const SyntheticWorld& second_world, bool is_one_map) {
+TwoVisits VisitTwice(const SyntheticWorld& first_world, const SyntheticWorld& second_world, bool is_one_map,
+                     double step_m = 0.3) {
   TwoVisits visits;
-  visits.first = AddSubmap(visits.map, first_world, PosesAlongX(6, 0.3));
-  visits.second = AddSubmap(visits.map, second_world, PosesAlongX(6, 0.3), Drift());
+  visits.first = AddSubmap(visits.map, first_world, PosesAlongX(6, step_m));
+  visits.second = AddSubmap(visits.map, second_world, PosesAlongX(6, step_m), Drift());
   if (is_one_map) visits.map.Join(visits.second.front(), visits.first.back());
   return visits;
 }
@@ -105,6 +106,19 @@ TEST_F(Looping, ARecognitionThatAsksForMoreDriftThanThePathCanHaveIsNone) {
   const auto second = AddSubmap(map, world, PosesAlongX(4, 0.05), {Eigen::Quaterniond::Identity(), {0, 0, 0.5}});
   map.Join(second.front(), first.back());
   EXPECT_FALSE(LookAtNewest(map).has_value());
+}
+
+TEST_F(Looping, AFewLandmarksDoWhereAllAreSeenAndThereIsADriftToJudge) {
+  SyntheticWorldOptions sparse;
+  sparse.num_points = 650;
+  const SyntheticWorld world(1, sparse);
+  for (const bool is_one_map : {true, false}) {
+    const TwoVisits visits = VisitTwice(world, world, is_one_map, 0.1);
+    const size_t num_seen = visits.map.Find(visits.second.back())->frame->size();
+    ASSERT_LT(num_seen, static_cast<size_t>(LoopingOptions().min_inliers));
+    ASSERT_GT(num_seen, static_cast<size_t>(LoopingOptions().min_inliers) * 2 / 3);
+    EXPECT_EQ(LookAtNewest(visits.map).has_value(), is_one_map);
+  }
 }
 
 TEST_F(Looping, TwoGlimpsesOfOnePlaceAgreeAndOthersDoNot) {

@@ -110,9 +110,9 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
     : mode_(ModeOf(config)),
       parts_(std::move(parts)),
       builder_(FeaturesOf(config), rig),
-      follows_bodies_(DynamicsOf(config) == Dynamics::kFull),
+      dynamics_(DynamicsOf(config)),
       grids_(rig),
-      remover_(DynamicsOf(config), parts_.motions, config.features.scale_factor, SureConfidence(config)),
+      remover_(dynamics_, parts_.motions, config.features.scale_factor, SureConfidence(config)),
       tracker_(config.tracking, config.seed, TaskOf(config, parts_), parts_.vocabulary),
       mapper_(config.mapping, parts_.vocabulary, Map::Continuing(*StartOf(parts_))),
       looper_(config.looping, parts_.vocabulary, config.seed),
@@ -223,18 +223,19 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_boxes = static_cast<int>(areas.boxes().size());
   record.num_bridged = areas.num_bridged();
   if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
-  if (parts_.detector) {
+  if (dynamics_ != Dynamics::kOff) {
     const cv::Mat covered = areas.Covered(images.grey.size());
     extracted.sight.depth = grids_.Make(images.depth, covered);
     extracted.sight.hidden = ShareOf(covered);
   }
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };
+  const bool keeps_suspects = dynamics_ == Dynamics::kFull;
   Features suspects;
-  if (follows_bodies_ && record.num_removed > 0) {
+  if (keeps_suspects && record.num_removed > 0) {
     suspects = Kept(features, [&](size_t i) { return is_dynamic(i) && !areas.Ignores(features.keypoints[i]); });
   }
-  if (NeedsSecondLook(record, follows_bodies_)) {
+  if (NeedsSecondLook(record, keeps_suspects)) {
     const auto may_use = [&](const Keypoint& point) { return areas.Judge(point) != Verdict::kDynamic; };
     features = builder_.ExtractAgain(may_use);
   } else if (record.num_removed > 0) {

@@ -59,7 +59,7 @@ class Pipeline {
   struct Extracted {
     FramePtr frame;
     FrameRecord record;  ///< what is known of it so far
-    Sight sight;         ///< without depth, nothing is looked for that moves
+    Sight sight;         ///< without depth, no surface is asked and nothing is looked for that moves
     std::optional<Judged> judged;
   };
 
@@ -93,7 +93,7 @@ class Pipeline {
   const Mode mode_;
   SlamParts parts_;
   FrameBuilder builder_;
-  const bool follows_bodies_;  ///< beyond the paper
+  const Dynamics dynamics_;
   DepthGridMaker grids_;
   Remover remover_;
   Tracker tracker_;

@@ -42,9 +42,7 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 }  // namespace
 
 Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, Sight sight) {
-  depth_ = std::move(sight.depth);
-  grey_ = std::move(sight.grey);
-  hidden_ = sight.hidden;
+  sight_ = std::move(sight);
   Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
@@ -68,7 +66,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   motion_.Forget();
   movers_.Forget();
   surfaces_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame, grey_};
+  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame, sight_.grey};
   was_lost_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -101,7 +99,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   }
   frame = WithoutDoubtful(frame, fix);
   Remember(frame, map, *located);
-  surfaces_.Add(depth_, frame->timestamp, {last_.reference, last_.cam_from_reference});
+  surfaces_.Add(sight_.depth, frame->timestamp, {last_.reference, last_.cam_from_reference});
   tracked.moving = LeaveOutMovers(frame, map, fix);
   if (!tracked.moving.empty()) Remember(frame, map, *located);
   last_.picture = raw_frame;
@@ -340,7 +338,7 @@ void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& loc
            CountValid(fix.matches),
            fix.num_in_all() == 0 ? last_.num_blind + 1 : 0,
            frame,
-           grey_};
+           sight_.grey};
 }
 
 void Tracker::NoteLoss(const Frame& frame, bool was_refused) {

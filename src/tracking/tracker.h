@@ -133,9 +133,7 @@ class Tracker {
   MotionModel motion_;
   MoverFinder movers_;
   Surfaces surfaces_;
-  DepthGrid depth_;    ///< of the newest frame
-  cv::Mat grey_;       ///< the same
-  double hidden_ = 0;  ///< the same
+  Sight sight_;  ///< of the newest frame
   std::unordered_map<LandmarkId, LandmarkCount> counts_;
   Timestamp last_proposal_, lost_since_;
   std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something

@@ -23,8 +23,8 @@ void Tracker::AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& poin
 /// Surfaces of before, where the points alone leave a pose unsure: few, or all in one corner.
 Planes Tracker::SurfacesFor(const Frame& frame, const Map& map, const Fix& fix) const {
   constexpr double kUnsureM = 0.01;
-  if (depth_.empty() || fix.sigma_m < kUnsureM) return {};
-  return surfaces_.Pair(depth_, *frame.rig, fix.cam_from_world, map);
+  if (sight_.depth.empty() || fix.sigma_m < kUnsureM) return {};
+  return surfaces_.Pair(sight_.depth, *frame.rig, fix.cam_from_world, map);
 }
 
 /// Where the depth picture lies best on the surfaces of before, not far from where the camera should be by now. Nothing
@@ -33,14 +33,14 @@ std::optional<Rigid3> Tracker::PoseOnSurfaces(const Frame& frame, const Map& map
   constexpr size_t kEnoughPairs = 50, kFewPairs = 20;  // at the end, and on the way there
   constexpr int kRounds = 6;
   constexpr double kTurnSigma = 0.1, kShiftSigmaM = 0.03;  // of the prediction
-  if (depth_.empty()) return std::nullopt;
+  if (sight_.depth.empty()) return std::nullopt;
   ExpectedPose expected{PredictedPose(frame, map), Matrix6d::Zero()};
   expected.information.diagonal().head<3>().setConstant(1 / (kTurnSigma * kTurnSigma));
   expected.information.diagonal().tail<3>().setConstant(1 / (kShiftSigmaM * kShiftSigmaM));
   Rigid3 pose = expected.cam_from_world;
   size_t num_pairs = 0;
   for (int k = 0; k < kRounds; ++k) {
-    const Planes planes = surfaces_.Pair(depth_, *frame.rig, pose, map);
+    const Planes planes = surfaces_.Pair(sight_.depth, *frame.rig, pose, map);
     num_pairs = planes.size();
     if (num_pairs < kFewPairs) return std::nullopt;
     pose = AlignToPlanes(pose, planes, expected);
@@ -56,7 +56,7 @@ std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map
   AddDepthPointsOfLast(map, points);
   const auto radius_px = static_cast<float>(options_.search_radius_px);
   const std::vector<int> rows = MatchKnownPoints(frame, *guess, LastPose(map), points, radius_px);
-  Fix fix = FixFromPoints(frame, *guess, points, rows, {surfaces_.Pair(depth_, *frame.rig, *guess, map), {}});
+  Fix fix = FixFromPoints(frame, *guess, points, rows, {surfaces_.Pair(sight_.depth, *frame.rig, *guess, map), {}});
   if (fix.num_in_all() < kFewMatches) return std::nullopt;
   return fix;
 }
@@ -73,17 +73,17 @@ std::optional<Fix> Tracker::TrackBlindly(const Frame& frame, const Map& map) con
     fix.cam_from_world = *pose;
     if (GoesOn(frame, map, fix)) return fix;
   }
-  if (last_.num_blind > 0 || hidden_ < kMuchHidden || !motion_.rate()) return std::nullopt;
+  if (last_.num_blind > 0 || sight_.hidden < kMuchHidden || !motion_.rate()) return std::nullopt;
   fix.cam_from_world = PredictedPose(frame, map);
   return fix;
 }
 
 /// Landmarks that the camera sees through are not there any more.
 void Tracker::CountGone(const Frame& frame, const Map& map, const Located& located) {
-  if (depth_.empty() || !task_.finds_movers) return;
+  if (sight_.depth.empty() || !task_.finds_movers) return;
   for (const LandmarkId id : located.visible) {
     const Landmark* landmark = id.IsValid() ? map.Find(id) : nullptr;
-    if (landmark && IsSeenThrough(depth_, *frame.rig, located.fix.cam_from_world * landmark->position)) {
+    if (landmark && IsSeenThrough(sight_.depth, *frame.rig, located.fix.cam_from_world * landmark->position)) {
       ++counts_[id].gone;
     }
   }
@@ -93,10 +93,10 @@ void Tracker::CountGone(const Frame& frame, const Map& map, const Located& locat
 /// them, if only few keyframes know them, are as good as gone.
 std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const Map& map, Fix& fix) {
   constexpr size_t kEnoughMatches = 20;  // to find the pose anew without what moves
-  if (depth_.empty() || !task_.finds_movers) return {};
+  if (sight_.depth.empty() || !task_.finds_movers) return {};
   PosedFrame posed{frame, std::vector<bool>(frame->size()), {last_.reference, last_.cam_from_reference}};
   for (size_t i = 0; i < frame->size(); ++i) posed.is_known[i] = fix.matches[i].IsValid();
-  const auto is_moving = PointsOnMovers(*frame, movers_.Find(std::move(posed), depth_, map));
+  const auto is_moving = PointsOnMovers(*frame, movers_.Find(std::move(posed), sight_.depth, map));
   std::vector<Keypoint> moving;
   for (size_t i = 0; i < is_moving.size(); ++i) {
     if (!is_moving[i]) continue;

@@ -32,7 +32,7 @@ Tracker::Followed Tracker::PointsToFollow(const Frame& frame, const Map& map) co
   constexpr size_t kMost = 300;
   const Frame& last = *last_.frame;
   const Pinhole& camera = frame.rig->camera;
-  const cv::Rect2f picture(0, 0, static_cast<float>(grey_.cols), static_cast<float>(grey_.rows));
+  const cv::Rect2f picture(0, 0, static_cast<float>(sight_.grey.cols), static_cast<float>(sight_.grey.rows));
   const Rigid3 world_from_last = LastPose(map).Inverse(), predicted = PredictedPose(frame, map);
   Followed followed;
   for (const size_t i : Strongest(last, kMost)) {
@@ -56,7 +56,7 @@ std::vector<PoseObservation> Tracker::FollowPointsOfLast(const Frame& frame, con
   constexpr double kSigmaPx = 1.5;
   const Rig& rig = *frame.rig;
   auto [guesses, points] = PointsToFollow(frame, map);
-  const auto found = FollowByFlow(last_.grey, grey_, guesses);
+  const auto found = FollowByFlow(last_.grey, sight_.grey, guesses);
   std::vector<Eigen::Vector2f> real_px;
   for (const auto& px : found) real_px.push_back(px.value_or(Eigen::Vector2f::Zero()));
   const std::vector<Eigen::Vector2f> ideal_px = rig.camera.Undistort(real_px);
@@ -83,7 +83,7 @@ std::vector<PoseObservation> Tracker::FollowPointsOfLast(const Frame& frame, con
 std::optional<Fix> Tracker::TrackFromLastByFlow(const Frame& frame, const Map& map) const {
   constexpr size_t kFewFollowed = 10, kEnoughCorners = 50;
   constexpr float kRadiusPx = 3;
-  if (grey_.empty() || last_.grey.size() != grey_.size()) return std::nullopt;
+  if (sight_.grey.empty() || last_.grey.size() != sight_.grey.size()) return std::nullopt;
   Support support{{}, FollowPointsOfLast(frame, map)};
   const std::vector<int> no_rows(frame.size(), -1);
   Fix fix = FixFromPoints(frame, PredictedPose(frame, map), {}, no_rows, support);
