@@ -8,12 +8,13 @@
 
 namespace yorb {
 
-Batch MakeBatch(const std::vector<Scene>& scenes, int num_classes) {
+Batch MakeBatch(const std::vector<Scene>& scenes, int num_classes, bool is_pinned) {
   YORB_CHECK(!scenes.empty(), "a batch has pictures");
   const int64_t count = static_cast<int64_t>(scenes.size());
   const cv::Size size = scenes.front().pixels.size();
   Batch batch;
-  batch.pictures = torch::empty({count, size.height, size.width, 3}, torch::kUInt8);
+  batch.pictures =
+      torch::empty({count, size.height, size.width, 3}, torch::TensorOptions(torch::kUInt8).pinned_memory(is_pinned));
   batch.judged = torch::zeros({count, num_classes});
   auto judged = batch.judged.accessor<float, 2>();
   for (int64_t i = 0; i < count; ++i) {
@@ -29,7 +30,7 @@ Batch MakeBatch(const std::vector<Scene>& scenes, int num_classes) {
 
 torch::Tensor ToInput(const torch::Tensor& pictures, const torch::Device& device) {
   // Permuting (B, H, W, 3) gives a tensor that is channels-last in memory already.
-  return pictures.to(device).permute({0, 3, 1, 2}).to(torch::kFloat32).div(255.0);
+  return pictures.to(device, /*non_blocking=*/true).permute({0, 3, 1, 2}).to(torch::kFloat32).div(255.0);
 }
 
 }  // namespace yorb

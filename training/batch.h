@@ -23,8 +23,8 @@ struct Batch {
   torch::Tensor judged;  ///< (B, classes), 1 where the absence of a class from the truth means something
 };
 
-/// Scenes of one size, as a batch.
-Batch MakeBatch(const std::vector<Scene>& scenes, int num_classes);
+/// Scenes of one size, as a batch. `is_pinned`: in memory that a GPU reads by itself (libtorch must have one).
+Batch MakeBatch(const std::vector<Scene>& scenes, int num_classes, bool is_pinned = false);
 
 /// Pictures of a batch as the network takes them: (B, 3, H, W) in [0, 1], channels last in memory.
 torch::Tensor ToInput(const torch::Tensor& pictures, const torch::Device& device);

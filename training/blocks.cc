@@ -16,7 +16,7 @@ ConvSpec Pointwise(int in, int out, const LayerSpec& row, Activation activation)
 /// A convolution outside of autocast: oneDNN 2.6 differentiates wide depth-wise ones in bfloat16 two to three times
 /// slower than in float.
 torch::Tensor ConvolveInFloat(nn::Conv2d& conv, const torch::Tensor& x) {
-  const HalfWidth full(false);
+  const HalfWidth full(torch::kCPU, false);
   return conv(x.to(torch::kFloat32)).to(torch::kBFloat16);
 }
 
@@ -46,7 +46,7 @@ ConvNormImpl::ConvNormImpl(const ConvSpec& conv_spec) : spec(conv_spec) {
 }
 
 torch::Tensor ConvNormImpl::forward(const torch::Tensor& x) {
-  const bool is_slow_in_half = spec.groups > 1 && spec.kernel > 3 && IsHalfWidth();
+  const bool is_slow_in_half = spec.groups > 1 && spec.kernel > 3 && x.is_cpu() && IsHalfWidth(torch::kCPU);
   const torch::Tensor y = is_slow_in_half ? ConvolveInFloat(conv, x) : conv(x);
   return Activate(is_folded ? y : bn(y), spec.activation);
 }

@@ -9,18 +9,25 @@ namespace yorb {
 
 // libtorch 2.4 gave these functions a device.
 #if TORCH_VERSION_MAJOR > 2 || (TORCH_VERSION_MAJOR == 2 && TORCH_VERSION_MINOR >= 4)
-bool IsHalfWidth() { return at::autocast::is_autocast_enabled(at::kCPU); }
+bool IsHalfWidth(torch::DeviceType device) { return at::autocast::is_autocast_enabled(device); }
 
-void SetHalfWidth(bool is_half) {
-  at::autocast::set_autocast_enabled(at::kCPU, is_half);
-  at::autocast::set_autocast_dtype(at::kCPU, at::kBFloat16);
+void SetHalfWidth(torch::DeviceType device, bool is_half) {
+  at::autocast::set_autocast_enabled(device, is_half);
+  at::autocast::set_autocast_dtype(device, at::kBFloat16);
 }
 #else
-bool IsHalfWidth() { return at::autocast::is_cpu_enabled(); }
+bool IsHalfWidth(torch::DeviceType device) {
+  return device == torch::kCPU ? at::autocast::is_cpu_enabled() : at::autocast::is_enabled();
+}
 
-void SetHalfWidth(bool is_half) {
-  at::autocast::set_cpu_enabled(is_half);
-  at::autocast::set_autocast_cpu_dtype(at::kBFloat16);
+void SetHalfWidth(torch::DeviceType device, bool is_half) {
+  if (device == torch::kCPU) {
+    at::autocast::set_cpu_enabled(is_half);
+    at::autocast::set_autocast_cpu_dtype(at::kBFloat16);
+  } else {
+    at::autocast::set_enabled(is_half);
+    at::autocast::set_autocast_gpu_dtype(at::kBFloat16);
+  }
 }
 #endif
 

@@ -50,7 +50,7 @@ Batch Loader::Make(int64_t step) {
     VaryLight(options_.light, scene.pixels, random);
     scenes.push_back(std::move(scene));
   }
-  return MakeBatch(scenes, num_classes_);
+  return MakeBatch(scenes, num_classes_, options_.is_pinned);
 }
 
 }  // namespace yorb

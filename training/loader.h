@@ -21,6 +21,7 @@ struct LoaderOptions {
   PeopleOptions people;
   PhotometricOptions light;
   bool is_augmented = true;  ///< false: letterboxed pictures as they are
+  bool is_pinned = false;    ///< see MakeBatch
 };
 
 /// Makes the batches of a training one after the other. What batch `step` holds depends on the seed and the step alone

@@ -94,6 +94,39 @@ void ShowAnchors(const Composer& pictures, const Layout& layout, const cv::Size&
               batch.targets.size(), scenes.size());
 }
 
+Result<std::vector<WatchedSet>> OpenWatched(const std::vector<std::string>& paths, const ClassTable& table) {
+  std::vector<WatchedSet> watched;
+  for (const std::string& path : paths) {
+    const auto set = OpenPacks({path}, table);
+    if (!set) return set.error();
+    watched.push_back({std::filesystem::path(path).stem().string(), *set});
+  }
+  return watched;
+}
+
+Status TakeTeacher(const std::string& path, const ClassTable& table, TrainerOptions& options) {
+  if (path.empty()) return Status::Ok();
+  Result<Teacher> teacher = ReadTeacher(path, table);
+  if (!teacher) return teacher.error();
+  teacher->network->to(options.device);
+  options.teacher = *teacher;
+  return Status::Ok();
+}
+
+Result<Loader> MakeLoader(const TrainArguments& arguments, std::shared_ptr<const Composer> pictures,
+                          const ClassTable& table, const TrainerOptions& trainer, const Schedule& schedule) {
+  std::vector<cv::Mat> cutouts;
+  if (!arguments.people.empty()) {
+    const auto read = ReadCutouts(arguments.people);
+    if (!read) return read.error();
+    cutouts = *read;
+  }
+  LoaderOptions options = arguments.loader;
+  options.is_pinned = trainer.device.is_cuda();
+  return Loader(std::move(pictures), cutouts, table, options,
+                [schedule](int64_t step) { return schedule.SizeAt(step); });
+}
+
 Status Train(const TrainArguments& arguments) {
   torch::set_num_threads(arguments.num_threads);
   torch::manual_seed(arguments.loader.seed);
@@ -103,24 +136,9 @@ Status Train(const TrainArguments& arguments) {
   if (!pictures) return pictures.error();
   Result<TrainerOptions> options = MakeTrainerOptions(arguments, (*pictures)->size());
   if (!options) return options.error();
-  if (!arguments.teacher.empty()) {
-    Result<Teacher> teacher = ReadTeacher(arguments.teacher, *table);
-    if (!teacher) return teacher.error();
-    teacher->network->to(options->device);
-    options->teacher = *teacher;
-  }
-  std::vector<cv::Mat> cutouts;
-  if (!arguments.people.empty()) {
-    const auto read = ReadCutouts(arguments.people);
-    if (!read) return read.error();
-    cutouts = *read;
-  }
-  std::vector<WatchedSet> watched;
-  for (const std::string& path : arguments.watched) {
-    const auto set = OpenPacks({path}, *table);
-    if (!set) return set.error();
-    watched.push_back({std::filesystem::path(path).stem().string(), *set});
-  }
+  if (const Status taken = TakeTeacher(arguments.teacher, *table, *options); !taken) return taken;
+  const auto watched = OpenWatched(arguments.watched, *table);
+  if (!watched) return watched.error();
   std::filesystem::create_directories(arguments.out);
   TrainState state(MakeLayout(arguments.network, table->size()), *table, arguments.optimizer);
   state.network->to(options->device);
@@ -129,10 +147,9 @@ Status Train(const TrainArguments& arguments) {
   std::printf("%s, %d classes, %zu pictures, from step %lld\n", arguments.network.c_str(), table->size(),
               (*pictures)->size(), static_cast<long long>(state.step));
   ShowAnchors(**pictures, state.network->layout, options->schedule.phases.back().sizes.front());
-  const Schedule schedule(options->schedule, state.seconds);
-  Loader loader(*pictures, cutouts, *table, arguments.loader,
-                [schedule](int64_t step) { return schedule.SizeAt(step); });
-  Trainer trainer(state, std::move(loader), watched, *options);
+  const auto loader = MakeLoader(arguments, *pictures, *table, *options, Schedule(options->schedule, state.seconds));
+  if (!loader) return loader.error();
+  Trainer trainer(state, *loader, *watched, *options);
   CatchStopSignals();
   return trainer.Run(ShowProgress, IsStopAsked);
 }
@@ -195,12 +212,15 @@ void AddTrainCommand(CLI::App& program, Action& action) {
   command->add_option("--epochs", arguments->epochs, "Length of the training in rounds through all pictures");
   command->add_option("--minutes", arguments->minutes, "Length of the training in minutes, instead");
   command->add_flag("--resume", arguments->should_resume, "Go on with OUT/last.pt where there is one");
-  command->add_option("--threads", arguments->num_threads, "Threads of the network; one more makes the batches")
+  command->add_option("--threads", arguments->num_threads, "Threads of the network, on the CPU")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_option("--loaders", arguments->trainer.num_loading_threads, "Threads beside it that make batches")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--device", arguments->device, "cpu, cuda or cuda:1")->capture_default_str();
   command->add_flag("--bfloat16", arguments->trainer.is_half_wide,
-                    "Convolve in bfloat16 (CPU with AVX-512 BF16 or AMX)");
+                    "Convolve in bfloat16 (a GPU, or a CPU with AVX-512 BF16 or AMX)");
   command->add_option("--evaluate-every", arguments->trainer.evaluate_every_s, "Seconds between two measurements")
       ->capture_default_str();
   AddLearningOptions(*command, *arguments);

@@ -53,20 +53,27 @@ ClassTable TableOf(const std::string& text) {
   return table;
 }
 
-/// The network becomes `kept` of itself and the rest of the other; counters are copied.
+/// The network becomes `kept` of itself and the rest of the other, which may be on another device; counters are copied.
 void MoveTowards(const Network& other, double kept, Network& network) {
   const torch::NoGradGuard no_grad;
+  std::vector<torch::Tensor> moved, goals;
   const auto move = [&](torch::Tensor to, const torch::Tensor& from) {
-    if (to.is_floating_point())
-      to.mul_(kept).add_(from, 1 - kept);
-    else
+    if (to.is_floating_point()) {
+      moved.push_back(to);
+      goals.push_back(from.to(to.device()));
+    } else {
       to.copy_(from);
+    }
   };
   const auto from_parameters = other->parameters(), to_parameters = network->parameters();
   for (size_t i = 0; i < to_parameters.size(); ++i) move(to_parameters[i], from_parameters[i]);
   const auto from_buffers = other->buffers(), to_buffers = network->buffers();
   for (size_t i = 0; i < to_buffers.size(); ++i) move(to_buffers[i], from_buffers[i]);
+  torch::_foreach_mul_(moved, kept);  // hundreds of small tensors: two calls of a GPU in place of two each
+  torch::_foreach_add_(moved, goals, 1 - kept);
 }
+
+torch::Device DeviceOf(const Network& network) { return network->heads.front()->weight.device(); }
 
 Error NoCheckpoint(const std::string& path) {
   return BadInput(path + ": cannot be read as a checkpoint of yorb-train; it writes last.pt into its --out folder");
@@ -119,7 +126,7 @@ Status SaveCheckpoint(const std::string& path, TrainState& state) {
 Result<CheckpointKind> ReadCheckpointKind(const std::string& path) {
   try {
     torch::serialize::InputArchive archive;
-    archive.load_from(path);
+    archive.load_from(path, torch::kCPU);
     c10::IValue layout, classes;
     archive.read("layout", layout);
     archive.read("classes", classes);
@@ -140,7 +147,7 @@ Status LoadCheckpoint(const std::string& path, TrainState& state) {
                     " classes, and another network or list of classes was asked for");
   try {
     torch::serialize::InputArchive archive, network, average, optimizer;
-    archive.load_from(path);
+    archive.load_from(path, DeviceOf(state.network));  // wherever it was written
     archive.read("network", network);
     archive.read("average", average);
     archive.read("optimizer", optimizer);

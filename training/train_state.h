@@ -43,7 +43,8 @@ void UpdateAverage(TrainState& state);
 /// Writes a checkpoint whole, in place of the one before.
 Status SaveCheckpoint(const std::string& path, TrainState& state);
 
-/// Reads a checkpoint. Bad input when it is none, or one of another network than `state` holds.
+/// Reads a checkpoint, onto the device on which the network is. Bad input when it is none, or one of another network
+/// than `state` holds.
 Status LoadCheckpoint(const std::string& path, TrainState& state);
 
 /// Begins anew from the averaged weights of a checkpoint. Bad input as above.

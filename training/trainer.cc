@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/prefetch.h"
 #include "core/stopwatch.h"
 #include "core/text.h"
+#include "training/batch_stream.h"
 #include "training/half_width.h"
 
 namespace yorb {
@@ -49,7 +49,7 @@ TrainReport Mean(TrainReport sum) {
 }
 
 std::array<torch::Tensor, 3> Forward(Network& network, const torch::Tensor& input, bool is_half_wide) {
-  const HalfWidth width(is_half_wide);
+  const HalfWidth width(input.device().type(), is_half_wide);
   const auto maps = network(input);
   if (is_half_wide) at::autocast::clear_cache();  // weights in bfloat16, which the next step outdates
   return maps;
@@ -127,22 +127,21 @@ Status Trainer::EvaluateAll() {
 
 Status Trainer::Run(const std::function<void(const TrainReport&)>& report, const std::function<bool()>& should_stop) {
   const std::string checkpoint = options_.out + "/last.pt";
-  Prefetch<Batch> batches([this, step = state_.step]() mutable { return std::optional<Batch>(loader_.Make(step++)); },
-                          6);
+  BatchStream batches(loader_, state_.step, options_.num_loading_threads);
   Stopwatch since_report, since_save, since_evaluation;
   TrainReport sum;
   while (schedule_.Progress(state_.step) < 1 && !should_stop()) {
-    const std::optional<Batch> batch = batches.Next();
+    const Batch batch = batches.Next();
     const double rate = schedule_.Rate(state_.step);
-    Add(Step(*batch, rate), sum);
+    Add(Step(batch, rate), sum);
     state_.seconds = schedule_.Seconds();
     if (state_.step % kReportSteps == 0) {
       sum = Mean(sum);
       sum.step = state_.step;
       sum.progress = schedule_.Progress(state_.step);
       sum.seconds = state_.seconds;
-      sum.pictures_per_second = static_cast<double>(sum.num_steps * batch->pictures.size(0)) / since_report.seconds();
-      sum.size = cv::Size(static_cast<int>(batch->pictures.size(2)), static_cast<int>(batch->pictures.size(1)));
+      sum.pictures_per_second = static_cast<double>(sum.num_steps * batch.pictures.size(0)) / since_report.seconds();
+      sum.size = cv::Size(static_cast<int>(batch.pictures.size(2)), static_cast<int>(batch.pictures.size(1)));
       sum.rate = rate * state_.options.rate;
       report(sum);
       if (const Status done = Report(sum); !done) return done;

@@ -35,6 +35,7 @@ struct TrainerOptions {
   double save_every_s = 120;
   double evaluate_every_s = 900;
   torch::Device device = torch::kCPU;
+  int num_loading_threads = 1;  ///< that make batches, beside the training
   bool is_half_wide =
       false;  ///< convolutions in bfloat16, weights and loss in float: faster where the machine knows it
 };
@@ -51,7 +52,7 @@ struct TrainReport {
 
 /// Trains until the schedule ends, or `should_stop` says so; then the checkpoint OUT/last.pt is written. The log grows
 /// in OUT/train.csv (a line a report) and OUT/scores.csv (a line a set and evaluation).
-/// Runs on: the caller's thread; batches are made by one thread beside it.
+/// Runs on: the caller's thread; batches are made by `num_loading_threads` beside it.
 class Trainer {
  public:
   Trainer(TrainState& state, Loader loader, std::vector<WatchedSet> watched, const TrainerOptions& options);
