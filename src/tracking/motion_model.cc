@@ -39,4 +39,12 @@ bool MotionModel::CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_f
   return is_near(*rate_) || (rate_before_ && is_near(*rate_before_));
 }
 
+bool MotionModel::IsSteady(double effort) const {
+  if (!rate_ || !rate_before_) return false;
+  const double reach = effort * step_s_;
+  const Eigen::Vector3d turn = rate_->turn_per_s - rate_before_->turn_per_s;
+  const Eigen::Vector3d shift = rate_->shift_per_s - rate_before_->shift_per_s;
+  return shift.norm() <= kMostAcceleration * reach && turn.norm() <= kMostTurnAcceleration * reach;
+}
+
 }  // namespace yorb

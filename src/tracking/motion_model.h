@@ -33,6 +33,9 @@ class MotionModel {
   /// `effort`: which share of the possible acceleration is allowed.
   bool CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_from, double effort = 1) const;
 
+  /// Whether the two newest steps agree, so that the next one will be much the same. False where less is known.
+  bool IsSteady(double effort) const;
+
   void Forget() { rate_.reset(), rate_before_.reset(); }
 
   /// The rate of the newest step; none where nothing is known of it.

@@ -49,5 +49,21 @@ TEST(MotionModel, AStepThatWasALittleOffMayBeMadeGood) {
   EXPECT_TRUE(motion.CanReach(Ms(66), Ms(99), Shift(-0.01)));
 }
 
+TEST(MotionModel, IsSteadyOnceTwoStepsAgree) {
+  constexpr double kEase = 0.25;
+  MotionModel motion;
+  EXPECT_FALSE(motion.IsSteady(kEase)) << "nothing is known";
+  motion.Observe(Ms(0), Ms(100), Shift(0.06));
+  EXPECT_FALSE(motion.IsSteady(kEase)) << "one step may be anything";
+  motion.Observe(Ms(100), Ms(200), Shift(0.05));
+  EXPECT_TRUE(motion.IsSteady(kEase));
+  motion.Observe(Ms(200), Ms(300), Shift(0.25));
+  EXPECT_FALSE(motion.IsSteady(kEase)) << "more likely the step of someone else";
+  motion.Observe(Ms(300), Ms(400), Rigid3(RotationFromVector({0, 0.2, 0}), Eigen::Vector3d(0.25, 0, 0)));
+  EXPECT_FALSE(motion.IsSteady(kEase)) << "a sudden turn";
+  motion.Observe(Ms(400), Ms(500), Rigid3(RotationFromVector({0, 0.2, 0}), Eigen::Vector3d(0.25, 0, 0)));
+  EXPECT_TRUE(motion.IsSteady(kEase));
+}
+
 }  // namespace
 }  // namespace yorb

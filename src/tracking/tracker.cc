@@ -289,7 +289,6 @@ bool Tracker::IsPlausible(const Frame& frame, const Map& map, const Fix& fix) co
 
 /// Whether the camera moves on about as it did in the frame before.
 bool Tracker::GoesOn(const Frame& frame, const Map& map, const Fix& fix) const {
-  constexpr double kEase = 0.25;  // of what a camera can do
   if (state_ != TrackingState::kTracking || !motion_.rate()) return false;
   const Rigid3 step = fix.cam_from_world * LastPose(map).Inverse();
   return motion_.CanReach(last_.frame->timestamp, frame.timestamp, step, kEase);

@@ -52,6 +52,7 @@ class Tracker {
 
  private:
   static constexpr size_t kFewMatches = 20;  // with the frame before
+  static constexpr double kEase = 0.25;      // of what a camera can do, where it goes on as it did
 
   /// Whether enough of what was matched agrees on the pose. Otherwise another way to it may be the better one: a few
   /// dozen matches of repeated texture agree on a wrong pose, too.

@@ -62,7 +62,8 @@ std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map
 }
 
 /// Where hardly a point is left, walls and floors may carry on alone for some frames, if the camera goes on as it did.
-/// Where they say nothing, and moving things hide much of the picture, its motion alone may, for one.
+/// Where they say nothing, and moving things hide much of the picture, its motion alone may, for one, if it was steady:
+/// a step unlike the one before may have been that of someone who filled the picture.
 std::optional<Fix> Tracker::TrackBlindly(const Frame& frame, const Map& map) const {
   constexpr int kMostInARow = 3;
   constexpr double kMuchHidden = 0.3;
@@ -73,7 +74,7 @@ std::optional<Fix> Tracker::TrackBlindly(const Frame& frame, const Map& map) con
     fix.cam_from_world = *pose;
     if (GoesOn(frame, map, fix)) return fix;
   }
-  if (last_.num_blind > 0 || sight_.hidden < kMuchHidden || !motion_.rate()) return std::nullopt;
+  if (last_.num_blind > 0 || sight_.hidden < kMuchHidden || !motion_.IsSteady(kEase)) return std::nullopt;
   fix.cam_from_world = PredictedPose(frame, map);
   return fix;
 }
