@@ -10,6 +10,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FIELD = re.compile(r"^  (?:[\w:]+) (\w+)(?: = ([^;]*))?;\s*(?:///<\s*(.*))?$")
 MORE = re.compile(r"^\s+///<?\s*(.*)$")
 VISIT = re.compile(r'visit\("(\w+)", self\.\w+(, .*)?\);')
+MEMBER = re.compile(r"^  (\w+) (\w+)(?: = (\w+)\(\))?;", re.M)
+FUNCTION = re.compile(r"^inline \w+ (\w+)\(\) \{\n(.*?)^\}", re.M | re.S)
+ASSIGNMENT = re.compile(r"^  options\.(\w+) = ([^;]*);", re.M)
 STRUCT = re.compile(r"struct (\w+) \{\n(.*?)^\};", re.M | re.S)
 WIDTH = 120
 HEAD = """# SPDX-FileCopyrightText: 2026 The yorb-slam authors
@@ -78,16 +81,19 @@ def entry(name, default, comment, indent):
 def main():
     known = structs()
     top = known["Config"]
-    types = {name: kind for kind, name in re.findall(r"^  (\w+) (\w+);", top, re.M)}
+    types = {name: (kind, maker) for kind, name, maker in MEMBER.findall(top)}
+    others = {maker: dict(ASSIGNMENT.findall(body)) for maker, body in FUNCTION.findall((ROOT / "src/system/config.h").read_text())}
     text = HEAD
     for name, constraint in VISIT.findall(top):
         if constraint:
             text += entry(name, *fields(top)[name], "")
             continue
-        body = known[types[name]]
+        kind, maker = types[name]
+        body, other = known[kind], others.get(maker, {})
         text += f"\n{name}:\n"
         for key, _ in VISIT.findall(body):
-            text += entry(key, *fields(body)[key], "  ")
+            default, comment = fields(body)[key]
+            text += entry(key, other.get(key, default), comment, "  ")
     (ROOT / "configs" / "default.yaml").write_text(text)
 
 

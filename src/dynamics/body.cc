@@ -184,9 +184,9 @@ bool HasSurroundings(const BodySearch& search, const Box& box) {
   return Sum(Around(search, box), 0, kBins) >= kLeastMeasured;
 }
 
-std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory, bool is_there) {
   constexpr float kLeastShare = 0.6f;
-  if (GoesOnAround(search, box, memory.body)) return std::nullopt;
+  if (!is_there && GoesOnAround(search, box, memory.body)) return std::nullopt;
   const CellRange now = search.depth.RangeOf(box), &then = memory.range;
   const int dx = (now.left + now.right - then.left - then.right) / 2;
   const int dy = (now.top + now.bottom - then.top - then.bottom) / 2;

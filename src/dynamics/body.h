@@ -68,8 +68,9 @@ bool HasSurroundings(const BodySearch& search, const Box& box);
 
 /// Looks for a body that was found before in the same shape at the same depth, moved along with its box. It need not
 /// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone, or where
-/// most of what surrounds the box is as far away, or nothing does: that may be a wall.
-std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
+/// most of what surrounds the box is as far away, or nothing does: that may be a wall, unless somebody is there beyond
+/// doubt (`is_there`).
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory, bool is_there);
 
 /// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of
 /// the turn before, so that it follows the body up and down.

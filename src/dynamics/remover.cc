@@ -19,6 +19,7 @@ constexpr float kLeastScore = 0.15f;    // of a body that stands out from its su
 constexpr float kLeastScoreBridged = 0.25f;
 constexpr double kMostTaken = 0.5;  // of a box by bodies of other boxes, so that it may have one of its own
 constexpr float kBridgedM = 0.2f;   // how far a body that is only expected may be from where it was
+constexpr double kFreshS = 0.5;     // since the detector was sure: who was in view is still there
 constexpr double kEdgePx = 2;       // how far depth and colour may disagree on an outline
 constexpr double kRingPx = 3;       // of FAST: a corner so near to an outline is made by it
 
@@ -37,6 +38,11 @@ CellMask WithAllOf(CellMask mask, const DepthCells& depth, const Box& box) {
 /// Whether the detector sees it in this very picture, and is sure of it.
 bool IsSure(const BoxTrack& track, Timestamp now) { return !track.IsBridged(now) && !track.is_faint; }
 
+/// Whether somebody is there beyond doubt: the detector is sure, or sees what it was sure of a moment ago.
+bool IsFresh(const BoxTrack& track, Timestamp now) {
+  return !track.IsBridged(now) && SecondsBetween(track.last_sure, now) <= kFreshS;
+}
+
 /// Whether a body stands out; one that the detector did not surely see just now must be where it was.
 bool IsBelievable(const BoxTrack& track, float score, const BodyPlane& body, Timestamp now) {
   if (IsSure(track, now)) return score >= kLeastScore;
@@ -52,15 +58,14 @@ std::optional<float> LastDepth(const BoxTrack& track) {
 /// The body of a track, by what stands out in its box (`sign`), or else where it was found before.
 std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& search,
                                     const std::optional<BodySign>& sign, Timestamp now) {
-  if (!IsSure(track, now) && !HasSurroundings(search, track.at.box)) return std::nullopt;
-  const auto is_apart = [&](const BodyPlane& body) {
-    return IsSure(track, now) || !GoesOnBeyond(search, track.at.box, body);
-  };
+  const bool is_fresh = IsFresh(track, now);
+  if (!is_fresh && !HasSurroundings(search, track.at.box)) return std::nullopt;
+  const auto is_apart = [&](const BodyPlane& body) { return is_fresh || !GoesOnBeyond(search, track.at.box, body); };
   if (sign) {
     const BodyPlane body = FitBody(search, track.at.box, *sign);
     if (is_apart(body) && IsBelievable(track, sign->score, body, now)) return body;
   }
-  const auto again = track.body ? FindAgain(search, track.at.box, *track.body) : std::nullopt;
+  const auto again = track.body ? FindAgain(search, track.at.box, *track.body, is_fresh) : std::nullopt;
   if (!again) return std::nullopt;
   const BodyPlane body = FitBody(search, track.at.box, *again);
   return is_apart(body) ? std::optional<BodyPlane>(body) : std::nullopt;
