@@ -82,7 +82,8 @@ def main():
     known = structs()
     top = known["Config"]
     types = {name: (kind, maker) for kind, name, maker in MEMBER.findall(top)}
-    others = {maker: dict(ASSIGNMENT.findall(body)) for maker, body in FUNCTION.findall((ROOT / "src/system/config.h").read_text())}
+    makers = FUNCTION.findall((ROOT / "src/system/config.h").read_text())
+    others = {maker: dict(ASSIGNMENT.findall(body)) for maker, body in makers}
     text = HEAD
     for name, constraint in VISIT.findall(top):
         if constraint:
