@@ -122,16 +122,6 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
   return !was_measured;
 }
 
-/// Whether what lies around a box is mostly at the depth of the body: then it is a wall. So may be a box without
-/// surroundings.
-bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body) {
-  const Histogram around = Around(search, box);
-  const int bin = static_cast<int>(BinOf(body.metres));
-  const float near = Sum(around, bin - static_cast<int>(kBackM / kBinM), bin + static_cast<int>(kBackM / kBinM) + 1);
-  const float all = Sum(around, 0, kBins);
-  return all < kLeastMeasured || near > 0.5f * all;
-}
-
 }  // namespace
 
 bool BodyPlane::Holds(int column, int row, float depth_m) const {
@@ -184,9 +174,16 @@ bool HasSurroundings(const BodySearch& search, const Box& box) {
   return Sum(Around(search, box), 0, kBins) >= kLeastMeasured;
 }
 
-std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory, bool is_there) {
+bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body) {
+  const Histogram around = Around(search, box);
+  const int bin = static_cast<int>(BinOf(body.metres));
+  const float near = Sum(around, bin - static_cast<int>(kBackM / kBinM), bin + static_cast<int>(kBackM / kBinM) + 1);
+  const float all = Sum(around, 0, kBins);
+  return all < kLeastMeasured || near > 0.5f * all;
+}
+
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
   constexpr float kLeastShare = 0.6f;
-  if (!is_there && GoesOnAround(search, box, memory.body)) return std::nullopt;
   const CellRange now = search.depth.RangeOf(box), &then = memory.range;
   const int dx = (now.left + now.right - then.left - then.right) / 2;
   const int dy = (now.top + now.bottom - then.top - then.bottom) / 2;

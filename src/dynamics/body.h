@@ -66,11 +66,13 @@ BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane
 /// Whether enough was measured around a box, outside of all boxes, to tell a body from a wall.
 bool HasSurroundings(const BodySearch& search, const Box& box);
 
+/// Whether what lies around a box is mostly at the depth of the body: then it is a wall. So may be a box without
+/// surroundings.
+bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body);
+
 /// Looks for a body that was found before in the same shape at the same depth, moved along with its box. It need not
-/// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone, or where
-/// most of what surrounds the box is as far away, or nothing does: that may be a wall, unless somebody is there beyond
-/// doubt (`is_there`).
-std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory, bool is_there);
+/// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone.
+std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
 
 /// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of
 /// the turn before, so that it follows the body up and down.

@@ -55,7 +55,8 @@ std::optional<float> LastDepth(const BoxTrack& track) {
   return track.body ? std::optional<float>(track.body->body.metres) : std::nullopt;
 }
 
-/// The body of a track, by what stands out in its box (`sign`), or else where it was found before.
+/// The body of a track, by what stands out in its box (`sign`), or else where it was found before. Where somebody is
+/// not there beyond doubt, a wall must not be taken for a body.
 std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& search,
                                     const std::optional<BodySign>& sign, Timestamp now) {
   const bool is_fresh = IsFresh(track, now);
@@ -65,7 +66,8 @@ std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& sea
     const BodyPlane body = FitBody(search, track.at.box, *sign);
     if (is_apart(body) && IsBelievable(track, sign->score, body, now)) return body;
   }
-  const auto again = track.body ? FindAgain(search, track.at.box, *track.body, is_fresh) : std::nullopt;
+  if (!track.body || (!is_fresh && GoesOnAround(search, track.at.box, track.body->body))) return std::nullopt;
+  const auto again = FindAgain(search, track.at.box, *track.body);
   if (!again) return std::nullopt;
   const BodyPlane body = FitBody(search, track.at.box, *again);
   return is_apart(body) ? std::optional<BodyPlane>(body) : std::nullopt;

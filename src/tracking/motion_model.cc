@@ -11,6 +11,11 @@ constexpr double kLongestPause = 0.3;  // seconds; a hand turns round in that ti
 constexpr double kMostAcceleration = 40;      // m/s^2
 constexpr double kMostTurnAcceleration = 60;  // rad/s^2
 
+/// Whether acceleration can bring about such a change; `reach` turns it into the change's units.
+bool CanChange(double shift, double turn, double reach) {
+  return shift <= kMostAcceleration * reach && turn <= kMostTurnAcceleration * reach;
+}
+
 }  // namespace
 
 void MotionModel::Observe(Timestamp from, Timestamp to, const Rigid3& to_from_from) {
@@ -34,17 +39,16 @@ bool MotionModel::CanReach(Timestamp from, Timestamp to, const Rigid3& to_from_f
   const double reach = effort * seconds * (seconds + step_s_) / 2;
   const auto is_near = [&](const CameraRate& rate) {
     const Rigid3 off = to_from_from * rate.After(seconds).Inverse();
-    return off.translation.norm() <= kMostAcceleration * reach && off.RotationAngle() <= kMostTurnAcceleration * reach;
+    return CanChange(off.translation.norm(), off.RotationAngle(), reach);
   };
   return is_near(*rate_) || (rate_before_ && is_near(*rate_before_));
 }
 
 bool MotionModel::IsSteady(double effort) const {
   if (!rate_ || !rate_before_) return false;
-  const double reach = effort * step_s_;
   const Eigen::Vector3d turn = rate_->turn_per_s - rate_before_->turn_per_s;
   const Eigen::Vector3d shift = rate_->shift_per_s - rate_before_->shift_per_s;
-  return shift.norm() <= kMostAcceleration * reach && turn.norm() <= kMostTurnAcceleration * reach;
+  return CanChange(shift.norm(), turn.norm(), effort * step_s_);
 }
 
 }  // namespace yorb
