@@ -48,12 +48,27 @@ ConvNormImpl::ConvNormImpl(const ConvSpec& conv_spec) : spec(conv_spec) {
 torch::Tensor ConvNormImpl::forward(const torch::Tensor& x) {
   const bool is_slow_in_half = spec.groups > 1 && spec.kernel > 3 && x.is_cpu() && IsHalfWidth(torch::kCPU);
   const torch::Tensor y = is_slow_in_half ? ConvolveInFloat(conv, x) : conv(x);
-  return Activate(is_folded ? y : bn(y), spec.activation);
+  if (takes_statistics) TakeStatistics(y);
+  return Activate(bn(y), spec.activation);
 }
 
-void ConvNormImpl::Fold() {
-  is_folded = true;
-  conv->bias = torch::zeros({spec.out}, conv->weight.options().requires_grad(false));
+void ConvNormImpl::HoldFolded(const torch::Tensor& bias) {
+  const torch::NoGradGuard no_grad;
+  bn->weight.fill_(1);
+  bn->bias.copy_(bias);
+  bn->running_mean.zero_();
+  bn->running_var.fill_(1 - spec.norm_epsilon);
+}
+
+void ConvNormImpl::TakeStatistics(const torch::Tensor& y) {
+  const torch::NoGradGuard no_grad;
+  const auto deviation = [&](const torch::Tensor& variance) { return (variance + spec.norm_epsilon).sqrt(); };
+  const torch::Tensor mean = y.mean({0, 2, 3}), variance = y.var(c10::IntArrayRef{0, 2, 3}, false);
+  const torch::Tensor scale = bn->weight / deviation(bn->running_var);
+  bn->bias += scale * (mean - bn->running_mean);
+  bn->weight.copy_(scale * deviation(variance));
+  bn->running_mean.copy_(mean);
+  bn->running_var.copy_(variance);
 }
 
 SqueezeExciteImpl::SqueezeExciteImpl(int channels) {

@@ -25,11 +25,15 @@ struct ConvNormImpl : torch::nn::Module {
   explicit ConvNormImpl(const ConvSpec& spec);
   torch::Tensor forward(const torch::Tensor& x);
 
-  /// From now on the convolution has a bias (zero) and nothing is normalised: for weights that hold the norm.
-  void Fold();
+  /// For weights in which the norm is folded: in evaluation mode the norm adds `bias` and no more.
+  void HoldFolded(const torch::Tensor& bias);
+
+  /// For a norm with other statistics than its data have (one that was folded): takes mean and deviation from `y`, what
+  /// the convolution gives, and scale and shift such that evaluation mode stays what it was.
+  void TakeStatistics(const torch::Tensor& y);
 
   ConvSpec spec;
-  bool is_folded = false;
+  bool takes_statistics = false;  ///< `forward` calls `TakeStatistics` first
   torch::nn::Conv2d conv{nullptr};
   torch::nn::BatchNorm2d bn{nullptr};
 };

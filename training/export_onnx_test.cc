@@ -3,6 +3,7 @@
 #include "training/export_onnx.h"
 
 #include <gtest/gtest.h>
+#include <onnx/checker.h>
 
 #include <opencv2/dnn.hpp>
 
@@ -47,6 +48,16 @@ TEST_P(ExportOnnx, OpenCvReadsItAndGivesTheValuesOfLibtorch) {
     EXPECT_LT((map - other).abs().max().item<double>(), 1e-3);
     EXPECT_GT(map.std().item<double>(),
               1e-3);  // the values differ from place to place, so that equality says something
+  }
+}
+
+TEST_P(ExportOnnx, TheRulesOfOnnxHold) {
+  onnx::ModelProto model;
+  ASSERT_TRUE(model.ParseFromString(yorb::ExportOnnx(MakeStirredNetwork(GetParam()), kTable, {96, 64})));
+  try {
+    onnx::checker::check_model(model);
+  } catch (const std::exception& wrong) {
+    FAIL() << wrong.what();
   }
 }
 

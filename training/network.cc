@@ -118,4 +118,15 @@ torch::Tensor NormalizePictures(const torch::Tensor& pictures) {
   return (pictures - as_tensor(PictureMean())) / as_tensor(PictureDeviation());
 }
 
+void UnfoldNormalisation(Network network) {
+  const torch::NoGradGuard no_grad;
+  ConvNormImpl& first = *dynamic_cast<ConvRow&>(*network->rows.front()).conv_norm;
+  torch::Tensor weight = first.conv->weight, bias = first.bn->bias;
+  const auto as_tensor = [&](const std::array<float, 3>& v) {
+    return torch::tensor({v[0], v[1], v[2]}).view({1, 3, 1, 1}).to(weight.device());
+  };
+  bias += (weight * as_tensor(PictureMean())).sum({1, 2, 3});
+  weight *= as_tensor(PictureDeviation());
+}
+
 }  // namespace yorb

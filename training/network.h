@@ -44,4 +44,8 @@ torch::Tensor NormalizePictures(const torch::Tensor& pictures);
 std::array<float, 3> PictureMean();
 std::array<float, 3> PictureDeviation();
 
+/// For weights from a file whose first convolution reads pictures in [0, 1] (its norm folded): from now on it reads
+/// normalised ones, as the network gives it.
+void UnfoldNormalisation(Network network);
+
 }  // namespace yorb

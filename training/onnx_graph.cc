@@ -13,7 +13,7 @@ using onnx::AttributeProto;
 using onnx::NodeProto;
 using onnx::TensorProto;
 
-constexpr int kIrVersion = 7, kOperatorSet = 12;
+constexpr int kIrVersion = 7, kOperatorSet = 13;
 
 void SetInts(NodeProto& node, const std::string& name, const std::vector<int64_t>& values) {
   AttributeProto& attribute = *node.add_attribute();

@@ -21,8 +21,8 @@ struct FoldedConv {
 /// Folds the batch norm of evaluation mode into its convolution.
 FoldedConv Fold(const ConvNormImpl& conv_norm);
 
-/// Writes an ONNX graph (operator set 12), node by node. Values go by name; each call gives the name of its output.
-/// Only operators that OpenCV 4.6 and ONNX Runtime both read are used.
+/// Writes an ONNX graph (operator set 13: an enlargement need not say what it looks at), node by node. Values go by
+/// name; each call gives the name of its output. Only operators that OpenCV 4.6 and ONNX Runtime both read are used.
 class OnnxGraph {
  public:
   OnnxGraph();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "training/teacher.h"
 
-#include <array>
 #include <map>
 
 #include "detection/class_names.h"
@@ -46,17 +45,6 @@ bool Copy(const OnnxTensor* from, torch::Tensor to) {
   return true;
 }
 
-/// The first convolution of a file reads pictures in [0, 1], ours normalised ones.
-void UndoNormalisation(ConvNorm& conv) {
-  const auto [mean, deviation] = std::pair(PictureMean(), PictureDeviation());
-  const auto as_tensor = [](const std::array<float, 3>& v) {
-    return torch::tensor({v[0], v[1], v[2]}).view({1, 3, 1, 1});
-  };
-  torch::Tensor& weight = conv->conv->weight;
-  conv->conv->bias += (weight * as_tensor(mean)).sum({1, 2, 3});
-  weight *= as_tensor(deviation);
-}
-
 bool CopyWeights(const OnnxModel& model, Network& network) {
   const torch::NoGradGuard no_grad;
   std::vector<ConvNorm> own;
@@ -66,14 +54,14 @@ bool CopyWeights(const OnnxModel& model, Network& network) {
   const std::vector<FileConvolution> found = ConvolutionsOf(model);
   if (found.size() != own.size() + network->heads.size()) return false;
   for (size_t i = 0; i < own.size(); ++i) {
-    own[i]->Fold();
-    if (!Copy(found[i].weight, own[i]->conv->weight) || !Copy(found[i].bias, own[i]->conv->bias)) return false;
+    own[i]->HoldFolded(torch::zeros_like(own[i]->bn->bias));
+    if (!Copy(found[i].weight, own[i]->conv->weight) || !Copy(found[i].bias, own[i]->bn->bias)) return false;
   }
   for (size_t i = 0; i < network->heads.size(); ++i) {
     const FileConvolution& head = found[own.size() + i];
     if (!Copy(head.weight, network->heads[i]->weight) || !Copy(head.bias, network->heads[i]->bias)) return false;
   }
-  UndoNormalisation(own.front());
+  UnfoldNormalisation(network);
   return true;
 }
 

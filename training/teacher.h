@@ -14,7 +14,7 @@ namespace yorb {
 /// A trained detector from which another one learns. Its maps correspond to the learner's cell by cell: strides and
 /// anchors are the same.
 struct Teacher {
-  Network network{nullptr};  ///< in evaluation mode, norms folded
+  Network network{nullptr};  ///< in evaluation mode, norms folded into the convolutions
   ClassTable table;
   std::vector<int64_t> own_class, learner_class;  ///< the classes that both know, pair by pair
 };

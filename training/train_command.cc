@@ -14,6 +14,7 @@
 #include "training/open_packs.h"
 #include "training/stop_signal.h"
 #include "training/trainer.h"
+#include "training/unfold.h"
 
 namespace yorb {
 namespace {
@@ -59,14 +60,28 @@ Result<TrainerOptions> MakeTrainerOptions(const TrainArguments& arguments, size_
   return options;
 }
 
-/// The state to begin from: the last checkpoint, or the ImageNet backbone and chance.
-Status Begin(const TrainArguments& arguments, TrainState& state) {
+/// As from a checkpoint, from a file in which the norms are folded.
+Status BeginFromOnnx(const TrainArguments& arguments, const Composer& pictures, const cv::Size& size,
+                     const torch::Device& device, TrainState& state) {
+  std::vector<Scene> scenes;
+  const size_t step = std::max<size_t>(1, pictures.size() / 64);
+  for (size_t i = 0; i < pictures.size(); i += step) scenes.push_back(pictures.Letterbox(i, size));
+  const torch::Tensor input = ToInput(MakeBatch(scenes, state.table.size()).pictures, device);
+  if (const Status read = ReadFoldedWeights(arguments.weights, state.table, input, state.network); !read) return read;
+  return ReadFoldedWeights(arguments.weights, state.table, input, state.average);
+}
+
+/// The state to begin from: the last checkpoint, other weights, or the ImageNet backbone and chance.
+Status Begin(const TrainArguments& arguments, const Composer& pictures, const TrainerOptions& options,
+             TrainState& state) {
   const std::string checkpoint = arguments.out + "/last.pt";
   if (std::filesystem::exists(checkpoint)) {
     if (!arguments.should_resume)
       return BadInput(checkpoint + ": is there already; --resume goes on with it, another --out begins anew");
     return LoadCheckpoint(checkpoint, state);
   }
+  if (arguments.weights.ends_with(".onnx"))
+    return BeginFromOnnx(arguments, pictures, options.schedule.phases.back().sizes.front(), options.device, state);
   if (!arguments.weights.empty()) return BeginFrom(arguments.weights, state);
   if (arguments.backbone.empty()) return Status::Ok();
   if (const Status loaded = LoadBackbone(arguments.backbone, state.network); !loaded) return loaded;
@@ -143,7 +158,7 @@ Status Train(const TrainArguments& arguments) {
   TrainState state(MakeLayout(arguments.network, table->size()), *table, arguments.optimizer);
   state.network->to(options->device);
   state.average->to(options->device);
-  if (const Status begun = Begin(arguments, state); !begun) return begun;
+  if (const Status begun = Begin(arguments, **pictures, *options, state); !begun) return begun;
   std::printf("%s, %d classes, %zu pictures, from step %lld\n", arguments.network.c_str(), table->size(),
               (*pictures)->size(), static_cast<long long>(state.step));
   ShowAnchors(**pictures, state.network->layout, options->schedule.phases.back().sizes.front());
@@ -201,7 +216,8 @@ void AddTrainCommand(CLI::App& program, Action& action) {
       ->check(CLI::IsMember(LayoutNames()))
       ->capture_default_str();
   command->add_option("--backbone", arguments->backbone, "ImageNet weights to begin from (TorchScript archive)");
-  command->add_option("--weights", arguments->weights, "A checkpoint whose averaged weights to begin from");
+  command->add_option("--weights", arguments->weights,
+                      "Averaged weights of a checkpoint, or an exported ONNX file, to begin from");
   command->add_option("--teacher", arguments->teacher,
                       "A YOLOv5n or YOLOv5s (ONNX, three heads) to learn from as well");
   command->add_option("--teacher-weight", arguments->trainer.teacher_weight, "Its weight against the truth's")
