@@ -52,10 +52,10 @@ torch::Tensor ConvNormImpl::forward(const torch::Tensor& x) {
   return Activate(bn(y), spec.activation);
 }
 
-void ConvNormImpl::HoldFolded(const torch::Tensor& bias) {
+void ConvNormImpl::HoldFolded() {
   const torch::NoGradGuard no_grad;
   bn->weight.fill_(1);
-  bn->bias.copy_(bias);
+  bn->bias.zero_();
   bn->running_mean.zero_();
   bn->running_var.fill_(1 - spec.norm_epsilon);
 }

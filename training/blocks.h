@@ -25,8 +25,8 @@ struct ConvNormImpl : torch::nn::Module {
   explicit ConvNormImpl(const ConvSpec& spec);
   torch::Tensor forward(const torch::Tensor& x);
 
-  /// For weights in which the norm is folded: in evaluation mode the norm adds `bias` and no more.
-  void HoldFolded(const torch::Tensor& bias);
+  /// For weights in which the norm is folded: in evaluation mode it adds its bias (zero, for now) and no more.
+  void HoldFolded();
 
   /// For a norm with other statistics than its data have (one that was folded): takes mean and deviation from `y`, what
   /// the convolution gives, and scale and shift such that evaluation mode stays what it was.

@@ -54,7 +54,7 @@ bool CopyWeights(const OnnxModel& model, Network& network) {
   const std::vector<FileConvolution> found = ConvolutionsOf(model);
   if (found.size() != own.size() + network->heads.size()) return false;
   for (size_t i = 0; i < own.size(); ++i) {
-    own[i]->HoldFolded(torch::zeros_like(own[i]->bn->bias));
+    own[i]->HoldFolded();
     if (!Copy(found[i].weight, own[i]->conv->weight) || !Copy(found[i].bias, own[i]->bn->bias)) return false;
   }
   for (size_t i = 0; i < network->heads.size(); ++i) {

@@ -99,7 +99,7 @@ Status ReadFoldedWeights(const std::string& path, const ClassTable& table, const
   if (!classes) return BadInput(path + ": names no classes; --weights takes an ONNX file that yorb-train export wrote");
   const FileWeights weights(*model, path);
   const std::vector<ConvNormImpl*> conv_norms = ConvNormsOf(network);
-  for (ConvNormImpl* conv_norm : conv_norms) conv_norm->HoldFolded(torch::zeros_like(conv_norm->bn->bias));
+  for (ConvNormImpl* conv_norm : conv_norms) conv_norm->HoldFolded();
   for (const auto& parameter : network->named_parameters()) {
     if (parameter.key().ends_with("bn.weight") || parameter.key().starts_with("detect")) continue;
     if (const Status copied = weights.CopyTo(parameter.value(), NameInFile(parameter.key())); !copied) return copied;
