@@ -37,6 +37,11 @@ void SetPriors(torch::nn::Conv2d& head, int stride, int num_classes) {
   bias.slice(1, 5) += std::log(0.6 / (num_classes - 0.99));
 }
 
+/// Three values as a tensor that goes with pictures, or with the weights that read them.
+torch::Tensor PerChannel(const std::array<float, 3>& values, const torch::TensorOptions& options) {
+  return torch::tensor({values[0], values[1], values[2]}, options).view({1, 3, 1, 1});
+}
+
 }  // namespace
 
 NetworkImpl::NetworkImpl(const Layout& network_layout) : layout(network_layout) {
@@ -112,21 +117,16 @@ std::array<float, 3> PictureMean() { return {0.485f, 0.456f, 0.406f}; }
 std::array<float, 3> PictureDeviation() { return {0.229f, 0.224f, 0.225f}; }
 
 torch::Tensor NormalizePictures(const torch::Tensor& pictures) {
-  const auto as_tensor = [&](const std::array<float, 3>& values) {
-    return torch::tensor({values[0], values[1], values[2]}, pictures.options()).view({1, 3, 1, 1});
-  };
-  return (pictures - as_tensor(PictureMean())) / as_tensor(PictureDeviation());
+  const torch::TensorOptions options = pictures.options();
+  return (pictures - PerChannel(PictureMean(), options)) / PerChannel(PictureDeviation(), options);
 }
 
 void UnfoldNormalisation(Network network) {
   const torch::NoGradGuard no_grad;
   ConvNormImpl& first = *dynamic_cast<ConvRow&>(*network->rows.front()).conv_norm;
   torch::Tensor weight = first.conv->weight, bias = first.bn->bias;
-  const auto as_tensor = [&](const std::array<float, 3>& v) {
-    return torch::tensor({v[0], v[1], v[2]}).view({1, 3, 1, 1}).to(weight.device());
-  };
-  bias += (weight * as_tensor(PictureMean())).sum({1, 2, 3});
-  weight *= as_tensor(PictureDeviation());
+  bias += (weight * PerChannel(PictureMean(), weight.options())).sum({1, 2, 3});
+  weight *= PerChannel(PictureDeviation(), weight.options());
 }
 
 }  // namespace yorb
