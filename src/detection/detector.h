@@ -42,6 +42,7 @@ struct DetectionOptions {
   std::string model;              ///< an ONNX file; empty: models/yolo_mo.onnx of this installation
   double confidence = 0.25;       ///< boxes below it are not reported
   double faint_confidence = 0.1;  ///< dynamics full: weaker boxes down to this one follow what was seen before
+  double interval_s = 0;          ///< dynamics full: least time between two pictures that the network looks at
   double most_overlap = 0.45;     ///< of two boxes of one class (IoU); beyond it the weaker one is a double
   int width = 0;                  ///< of the network's input, px; 0: as its file says
   int height = 0;                 ///< the same
@@ -53,6 +54,7 @@ struct DetectionOptions {
     visit("model", self.model, AnyValue());
     visit("confidence", self.confidence, Range(0.001, 1));
     visit("faint_confidence", self.faint_confidence, Range(0.001, 1));
+    visit("interval_s", self.interval_s, Range(0, 10));
     visit("most_overlap", self.most_overlap, Range(0.01, 1));
     visit("width", self.width, Range(0, 4096));
     visit("height", self.height, Range(0, 4096));

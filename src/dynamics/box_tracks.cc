@@ -13,6 +13,7 @@ constexpr int kSeenToBridge = 2;        // pictures; one false box is gone with 
 constexpr double kBridgeS = 0.5;        // how long a detector may miss what it saw
 constexpr double kBodyS = 1.5;          // the same while depth shows the body where it must be
 constexpr double kUnlookedS = 1.0;      // the same while nobody looks: boxes of a slow detector
+constexpr double kSeenForS = 0.25;      // how long what the last look saw is there as if it were seen
 constexpr int kSureToFade = 2;          // pictures that saw it surely, before it may be hardly seen
 constexpr double kFadeS = 1.5;          // how long it may be so
 constexpr double kSmoothing = 0.5;      // of velocities
@@ -103,6 +104,11 @@ void BoxTracks::Update(Timestamp now, const SeenAt& looked, const MotionTable& t
   if (looked.seen.has_looked) {
     last_look_ = now;
     Match(now, looked.at, SortByMotion(looked.seen.boxes, table));
+    last_look_of_ = looked.at;
+  } else if (SecondsBetween(last_look_of_, now) <= kSeenForS) {
+    for (BoxTrack& track : tracks_) {
+      if (track.seen_at == last_look_of_) track.last_seen = now;
+    }
   }
   // A box is given up when the detector looked for long enough without finding it, or nobody looked for longer.
   const auto is_over = [&](const BoxTrack& track) {

@@ -35,7 +35,8 @@ struct BoxTrack {
   bool IsBridged(Timestamp now) const { return last_seen < now; }
 };
 
-/// Bridges what a detector misses: a box that was seen in two pictures stays, moving on at constant velocity, for a
+/// Bridges what a detector misses, and the pictures that it does not look at, where for a moment what it saw last is as
+/// good as seen. A box that was seen in two pictures stays, moving on at constant velocity, for a
 /// while after the detector lost it, and for longer while its body is found there. Static things are not followed:
 /// their boxes are only those of this picture. What a detector hardly sees continues for a while what it saw surely,
 /// and more than once, but begins nothing.
@@ -59,7 +60,8 @@ class BoxTracks {
   double sure_confidence_;
   std::vector<BoxTrack> tracks_;
   std::optional<Timestamp> last_;
-  Timestamp last_look_;
+  Timestamp last_look_;     ///< when there was news last,
+  Timestamp last_look_of_;  ///< and of which picture
 };
 
 }  // namespace yorb

@@ -86,6 +86,27 @@ TEST_F(BoxTracksTest, NobodyWhoLooksIsNotNobodyThere) {
   EXPECT_EQ(Count(), 0u);
 }
 
+TEST_F(BoxTracksTest, WhatTheLastLookSawCountsAsSeenForAWhile) {
+  for (int i = 0; i < 30; ++i) {
+    Tell(i, {{i % 3 == 0, {Walker(i)}}, FrameTime(i)});
+    ASSERT_EQ(Count(), 1u);
+    EXPECT_FALSE(tracks_.tracks()[0].IsBridged(FrameTime(i)));
+    if (i < 12) continue;
+    EXPECT_NEAR(tracks_.tracks()[0].at.box.left, Walker(i).left, 2) << "moves on between looks";
+  }
+  EXPECT_EQ(tracks_.tracks()[0].num_seen, 10) << "looks, not pictures";
+  for (int i = 30; i < 37; ++i) Tell(i, {{false, {}}, FrameTime(i)});
+  EXPECT_TRUE(tracks_.tracks()[0].IsBridged(FrameTime(36)));
+}
+
+TEST_F(BoxTracksTest, WhatTheLastLookMissedStaysBridgedBetweenLooks) {
+  for (int i = 0; i < 10; ++i) See(i, {Walker(i)});
+  See(10, {});
+  Tell(11, {{false, {}}, FrameTime(11)});
+  ASSERT_EQ(Count(), 1u);
+  EXPECT_TRUE(tracks_.tracks()[0].IsBridged(FrameTime(11)));
+}
+
 TEST_F(BoxTracksTest, ABoxThatComesLateIsMovedToNow) {
   for (int i = 0; i < 10; ++i) See(i, {Walker(i)});
   for (int i = 10; i < 20; ++i) Tell(i, {{true, {Walker(i - 3)}}, FrameTime(i - 3)});

@@ -19,6 +19,7 @@ inline DetectionOptions DetectionInRuns() {
   DetectionOptions options;
   options.confidence = 0.3;
   options.faint_confidence = 0.15;
+  options.interval_s = 0.08;
   return options;
 }
 

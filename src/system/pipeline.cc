@@ -28,6 +28,11 @@ Dynamics DynamicsOf(const Config& config) {
 /// The confidence from which a box alone speaks for a body: of the network's boxes; those of a file all do.
 double SureConfidence(const Config& config) { return config.detections.empty() ? config.detection.confidence : 0; }
 
+/// Only a network is worth sparing, and only boxes that are followed can move along to the pictures between.
+double DetectionIntervalOf(const Config& config) {
+  return DynamicsOf(config) == Dynamics::kFull && config.detections.empty() ? config.detection.interval_s : 0;
+}
+
 /// Where nothing is removed, no more is extracted than is wanted.
 FeatureOptions FeaturesOf(const Config& config) {
   FeatureOptions features = config.features;
@@ -111,6 +116,7 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       parts_(std::move(parts)),
       builder_(FeaturesOf(config), rig),
       dynamics_(DynamicsOf(config)),
+      detection_interval_s_(DetectionIntervalOf(config)),
       grids_(rig),
       remover_(dynamics_, parts_.motions, config.features.scale_factor, SureConfidence(config)),
       tracker_(config.tracking, config.seed, TaskOf(config, parts_), parts_.vocabulary),
@@ -202,9 +208,18 @@ Pipeline::Looked Pipeline::Detect(const ImageSet& images) {
   return {*std::move(seen), images.timestamp, watch.ms()};
 }
 
-Pipeline::Looked Pipeline::Await(const ImageSet& images) {
-  Looked nobody{{false, {}}, images.timestamp, 0};
-  if (!parts_.detector) return nobody;
+bool Pipeline::AskDetector(const ImageSet& images) {
+  if (!parts_.detector) return false;
+  if (last_asked_ && SecondsBetween(*last_asked_, images.timestamp) < detection_interval_s_) return false;
+  if (mode_ == Mode::kOffline) to_detect_.Push(images);
+  if (mode_ == Mode::kLive && !to_detect_.TryPush(images)) return false;
+  last_asked_ = images.timestamp;
+  return true;
+}
+
+Pipeline::Looked Pipeline::Await(const ImageSet& images, bool was_asked) {
+  const Looked nobody{{false, {}}, images.timestamp, 0};
+  if (!parts_.detector || (!was_asked && mode_ != Mode::kLive)) return nobody;
   if (mode_ == Mode::kInline) return Detect(images);
   auto looked = mode_ == Mode::kLive ? looked_.TryPop() : looked_.Pop();
   return looked ? *std::move(looked) : nobody;
@@ -249,15 +264,14 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
 
 Pipeline::Extracted Pipeline::Extract(const ImageSet& images) {
   const Stopwatch total;
-  if (parts_.detector && mode_ == Mode::kOffline) to_detect_.Push(images);
-  if (parts_.detector && mode_ == Mode::kLive) to_detect_.TryPush(images);
+  const bool was_asked = AskDetector(images);
   const Stopwatch watch;
   Features features = builder_.Extract(images);
   const double features_ms = watch.ms();
   const Stopwatch preparing;
   remover_.Prepare(images);  // while the detector looks
   const double prepare_ms = preparing.ms();
-  const Looked looked = Await(images);
+  const Looked looked = Await(images, was_asked);
   const double waited_ms = total.ms();
   Extracted extracted = Remove(images, std::move(features), looked);
   // Extraction is the points, those of a second look, and, after the removal, the frame of them.

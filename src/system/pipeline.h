@@ -30,7 +30,8 @@ namespace yorb {
 ///                                                        loop
 ///
 /// Inline mode calls the same functions one after the other. Offline and live differ in the policy of the first stream
-/// and in the detector's: offline each frame waits for its own boxes, live it takes the newest there are.
+/// and in the detector's: offline each frame that the detector looks at waits for its own boxes, live it takes the
+/// newest there are.
 class Pipeline {
  public:
   Pipeline(const Config& config, const Rig& rig, SlamParts parts);
@@ -74,7 +75,8 @@ class Pipeline {
   using Event = std::variant<Proposal, Correction, EndOfFrames>;
 
   Looked Detect(const ImageSet& images);
-  Looked Await(const ImageSet& images);
+  bool AskDetector(const ImageSet& images);
+  Looked Await(const ImageSet& images, bool was_asked);
   Extracted Extract(const ImageSet& images);
   Extracted Remove(const ImageSet& images, Features features, const Looked& looked);
   std::optional<Proposal> Track(Extracted& extracted);
@@ -94,6 +96,7 @@ class Pipeline {
   SlamParts parts_;
   FrameBuilder builder_;
   const Dynamics dynamics_;
+  const double detection_interval_s_;
   DepthGridMaker grids_;
   Remover remover_;
   Tracker tracker_;
@@ -114,6 +117,7 @@ class Pipeline {
   FrameLog log_;
   const KeyframeId first_own_;  ///< all before are those of the map that was gone on from
   uint32_t next_frame_;
+  std::optional<Timestamp> last_asked_;  ///< the newest picture that the detector was given
   std::vector<std::thread> threads_;
 };
 

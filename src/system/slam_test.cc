@@ -95,5 +95,48 @@ TEST_P(Pipelines, AreFineWhenAllIsWell) {
   EXPECT_EQ(pipeline.num_frames_done(), 1u);
 }
 
+/// Sees nobody, and counts how often it looked.
+class CountingDetector : public Detector {
+ public:
+  explicit CountingDetector(int& num_looks) : num_looks_(num_looks) {}
+  Result<Detections> Detect(const ImageSet&) override {
+    ++num_looks_;
+    return Detections{true, {}};
+  }
+
+ private:
+  int& num_looks_;
+};
+
+/// How often a detector looks at `num_pictures` pictures of 30 Hz.
+int LooksAt(int num_pictures, const Config& config) {
+  int num_looks = 0;
+  SlamParts parts;
+  parts.detector = std::make_unique<CountingDetector>(num_looks);
+  Pipeline pipeline(config, SmallRig(), std::move(parts));
+  for (int i = 0; i < num_pictures; ++i) EXPECT_TRUE(pipeline.Push(Picture(i)));
+  pipeline.Finish();
+  EXPECT_EQ(pipeline.num_frames_done(), static_cast<size_t>(num_pictures));
+  return num_looks;
+}
+
+TEST(Slam, TheNetworkIsSparedOnlyWhereItsBoxesAreFollowed) {
+  for (const char* mode : {"inline", "offline"}) {
+    Config config;
+    config.mode = mode;
+    config.dynamics = "full";
+    config.detection.interval_s = 0.08;
+    EXPECT_EQ(LooksAt(9, config), 3) << mode;
+    config.detection.interval_s = 0;
+    EXPECT_EQ(LooksAt(9, config), 9) << mode;
+    config.detection.interval_s = 0.08;
+    config.detections = "boxes.txt";
+    EXPECT_EQ(LooksAt(9, config), 9) << mode << ": a file costs nothing";
+    config.detections.clear();
+    config.dynamics = "paper";
+    EXPECT_EQ(LooksAt(9, config), 9) << mode << ": the rules ask for the boxes of this very picture";
+  }
+}
+
 }  // namespace
 }  // namespace yorb
