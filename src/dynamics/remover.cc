@@ -9,6 +9,7 @@
 
 #include "dynamics/lying_cells.h"
 #include "dynamics/outline.h"
+#include "dynamics/wall.h"
 #include "features/frame.h"
 
 namespace yorb {
@@ -115,6 +116,7 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ce
     const BodySearch search{depth, mask, seen};
     std::optional<BodySign> sign;
     BoxTrack& track = TakeNext(open, search, now, sign);
+    if (LiesInAWall(search, track.at.box)) continue;
     const auto body = FindBodyOf(track, search, sign, now);
     if (body) {
       const CellMask before = mask;

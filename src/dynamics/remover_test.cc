@@ -121,8 +121,9 @@ TEST(Remover, DepthGivesBackWhatIsNotTheBody) {
 }
 
 TEST(Remover, WhereDepthCannotTellTheBoxCountsAsAWhole) {
-  Scene scene = MakeScene(1.5);
-  scene.images.depth.pixels.setTo(cv::Scalar(2.0 / kMetresPerUnit));  // the body as far away as all else
+  Scene scene = MakeScene(1.5, false);
+  const Box& box = scene.box;
+  scene.images.depth.pixels(cv::Rect(cv::Point2d(box.left, box.top), cv::Point2d(box.right, box.bottom))).setTo(0);
   EXPECT_EQ(SharesWith(Dynamics::kFull, scene).dynamic_removed, 1);
   scene.images.depth = {};
   EXPECT_EQ(SharesWith(Dynamics::kFull, scene).dynamic_removed, 1);
@@ -186,6 +187,16 @@ TEST(Remover, AFaintBoxAloneTakesNothing) {
   const std::vector<Keypoint> points = Points();
   const MovingAreas areas = remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
   EXPECT_EQ(SharesOf(scene, points, areas.Judge(points)).dynamic_removed, 0);
+}
+
+TEST(Remover, APosterOfSomebodyIsKeptHoweverSureTheDetectorIs) {
+  Scene scene = MakeScene(1.5, false);
+  scene.images.depth.pixels.setTo(static_cast<uint16_t>(2.5 / kMetresPerUnit));
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  const std::vector<Keypoint> points = Points();
+  const MovingAreas areas = remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
+  const std::vector<Verdict> verdicts = areas.Judge(points);
+  EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::kDynamic), 0);
 }
 
 TEST(Remover, WhoWasInViewAMomentAgoIsStillThereBesideAPanelAsFarAway) {
