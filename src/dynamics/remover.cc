@@ -116,7 +116,7 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ce
     const BodySearch search{depth, mask, seen};
     std::optional<BodySign> sign;
     BoxTrack& track = TakeNext(open, search, now, sign);
-    if (LiesInAWall(search, track.at.box)) continue;
+    if (LiesInAWall(search, track.at.box)) continue;  // a poster: however sure the detector is
     const auto body = FindBodyOf(track, search, sign, now);
     if (body) {
       const CellMask before = mask;
