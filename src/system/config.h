@@ -17,7 +17,7 @@ namespace yorb {
 /// people are missed; weaker ones, down to half of it, go on with what was seen.
 inline DetectionOptions DetectionInRuns() {
   DetectionOptions options;
-  options.confidence = 0.33;
+  options.confidence = 0.3;
   options.faint_confidence = 0.15;
   options.interval_s = 0.08;
   return options;
