@@ -15,6 +15,8 @@ using CellMask = std::vector<uint8_t>;
 constexpr uint8_t kBody = 1;   ///< something that moves
 constexpr uint8_t kLying = 2;  ///< a desk or a floor
 
+constexpr int kInexactCells = 2;  ///< by which a box may be too small, in cells on each side
+
 /// What speaks for a body in a box.
 struct BodySign {
   float metres = 0;     ///< its densest depth

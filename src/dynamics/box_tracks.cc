@@ -9,12 +9,12 @@ namespace yorb {
 namespace {
 
 constexpr double kLeastOverlap = 0.25;  // IoU of a box and where it was expected
-constexpr int kSeenToBridge = 2;        // pictures; one false box is gone with its picture
+constexpr int kSeenToBridge = 2;        // looks; one false box is gone with the next look
 constexpr double kBridgeS = 0.5;        // how long a detector may miss what it saw
 constexpr double kBodyS = 1.5;          // the same while depth shows the body where it must be
 constexpr double kUnlookedS = 1.0;      // the same while nobody looks: boxes of a slow detector
 constexpr double kSeenForS = 0.25;      // how long what the last look saw is there as if it were seen
-constexpr int kSureToFade = 2;          // pictures that saw it surely, before it may be hardly seen
+constexpr int kSureToFade = 2;          // looks that saw it surely, before it may be hardly seen
 constexpr double kFadeS = 1.5;          // how long it may be so
 constexpr double kSmoothing = 0.5;      // of velocities
 

@@ -21,7 +21,7 @@ struct SeenAt {
 /// Something that moves, followed from picture to picture.
 struct BoxTrack {
   SortedBox at;                     ///< where it is now: seen there, or expected there
-  int num_seen = 0;                 ///< in how many pictures
+  int num_seen = 0;                 ///< in how many pictures that the detector looked at
   int num_sure = 0;                 ///< in how many of them surely
   Timestamp last_sure;              ///< the newest of these
   Timestamp last_seen;              ///< the picture for which the detector last had news of it

@@ -10,12 +10,11 @@
 namespace yorb {
 namespace {
 
-constexpr double kGrow = 0.5;     // how far around a box to look, of its sides
-constexpr int kInexactCells = 2;  // by which a box may be too small
-constexpr float kStepM = 0.06f;   // from cell to cell on one surface: the slant of a wall,
-constexpr float kNoise = 0.02f;   // and more far away, 1/m
-constexpr int kLeastCells = 24;   // of a body, to say anything
-constexpr double kGoesOn = 0.5;   // as much outside, of what is within
+constexpr double kGrow = 0.5;    // how far around a box to look, of its sides
+constexpr float kStepM = 0.06f;  // from cell to cell on one surface: the slant of a wall,
+constexpr float kNoise = 0.02f;  // and more far away, 1/m
+constexpr int kLeastCells = 24;  // of a body, to say anything
+constexpr double kGoesOn = 0.5;  // as much outside, of what is within
 
 bool IsIn(const CellRange& range, int column, int row) {
   return column >= range.left && column < range.right && row >= range.top && row < range.bottom;

@@ -9,7 +9,6 @@
 namespace yorb {
 namespace {
 
-constexpr int kInexactCells = 2;      // by which a box may be too small
 constexpr int kBesideCells = 8;       // how far to look for the wall beside a box
 constexpr int kLeastBeside = 3;       // measured cells on each side
 constexpr float kFarM = 5;            // beyond it, noise hides a body before a wall
