@@ -30,8 +30,8 @@ function(yorb_options target)
 endfunction()
 
 # yorb_precompiled(TARGET lib|test): lets a target take what nearly every file includes from one precompiled header, which
-# nearly halves the time to build. There are two, since libraries are compiled as -fPIC and programs as -fPIE. Files still
-# include what they use: a build with -DYORB_PCH=OFF must pass, too.
+# saves a third of the time to build. There are two, since libraries are compiled as -fPIC and programs as -fPIE. Files
+# still include what they use: a build with -DYORB_PCH=OFF must pass, too.
 function(yorb_precompiled target kind)
   if(NOT YORB_PCH)
     return()

@@ -2,98 +2,122 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynamics/wall.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 namespace yorb {
 namespace {
 
-constexpr int kBesideCells = 8;       // how far to look for the wall beside a box
-constexpr int kLeastBeside = 3;       // measured cells on each side
-constexpr float kFarM = 5;            // beyond it, noise hides a body before a wall
-constexpr float kOffM = 0.03f;        // from the wall: a frame, a fold of paper,
-constexpr float kNoise = 0.005f;      // and more far away, 1/m
-constexpr float kLeastJudged = 0.4f;  // of all cells, those that are measured between two that show the wall
-constexpr float kLeastOn = 0.85f;     // of these, on the wall: the rest may be what hangs before it
-constexpr float kLeastCells = 24;
+constexpr float kFarM = 5;              // beyond it, noise hides a body before a wall
+constexpr float kOffM = 0.03f;          // from the wall: a frame, a fold of paper,
+constexpr float kNoise = 0.005f;        // and more far away, 1/m
+constexpr float kLeastCells = 24;       // measured in the box
+constexpr float kLeastMeasured = 0.4f;  // of its cells
+constexpr float kLeastOn = 0.85f;       // of what is measured: the rest may be what hangs before the wall
+constexpr int kBesideCells = 8;         // how far beyond a box to look for the wall
+constexpr float kLeastBeside = 0.3f;    // of the cells of one side, measured: fewer say nothing
+constexpr float kMostBehind = 0.3f;     // of these, behind the wall: that is how a body ends
 
-/// A row or a column of cells through a box and its surroundings.
-class Line {
+/// Metres measured in a cell; 0 for none, or where a body is known to be.
+float MetresAt(const BodySearch& search, int column, int row) {
+  return search.taken[search.depth.IndexOf(column, row)] == kBody ? 0 : search.depth.At(column, row);
+}
+
+/// A plane: its inverse depth, 1/m, is affine in the picture.
+class Wall {
  public:
-  Line(const BodySearch& search, bool is_row, int index) : search_(search), is_row_(is_row), index_(index) {}
-
-  int size() const { return is_row_ ? search_.depth.columns() : search_.depth.rows(); }
-
-  /// Metres; 0 where nothing was measured or something else is known to be.
-  float At(int i) const {
-    const int column = is_row_ ? i : index_, row = is_row_ ? index_ : i;
-    return search_.taken[search_.depth.IndexOf(column, row)] == kBody ? 0 : search_.depth.At(column, row);
+  /// Through most of what is measured in a range: each turn takes in what lies near the plane of the turn before.
+  Wall(const BodySearch& search, const CellRange& range) {
+    constexpr std::array<float, 3> kNear = {3, 1, 1};
+    Fit(search, range, std::numeric_limits<float>::infinity());
+    for (const float near : kNear) Fit(search, range, near);
   }
-  bool IsInABox(int i) const { return is_row_ ? search_.IsInABox(i, index_) : search_.IsInABox(index_, i); }
+
+  /// How far behind the plane a measured depth is, in units of what it may be off; before it where negative.
+  float Behind(int column, int row, float metres) const {
+    const float wall = 1 / std::max(InverseAt(column, row), 1 / kFarM);
+    return (metres - wall) / (kOffM + kNoise * wall * wall);
+  }
+  bool Holds(int column, int row, float metres) const {
+    return InverseAt(column, row) > 1 / kFarM && std::abs(Behind(column, row, metres)) < 1;
+  }
 
  private:
-  const BodySearch& search_;
-  bool is_row_;
-  int index_;
-};
+  static Eigen::Vector3f Place(int column, int row) { return {1, static_cast<float>(column), static_cast<float>(row)}; }
+  float InverseAt(int column, int row) const { return inverse_depth_.dot(Place(column, row)); }
 
-/// A place on a line, cells, and what is measured there, 1/m.
-struct Mark {
-  float place, inverse_depth;
-};
-
-/// The mean of the first measured cells from `begin` on, which go away from the box by `step`.
-std::optional<Mark> Beside(const Line& line, int begin, int step) {
-  Mark sum{0, 0};
-  float count = 0;
-  for (int i = begin; i != begin + step * kBesideCells && i >= 0 && i < line.size(); i += step) {
-    const float metres = line.At(i);
-    if (metres <= 0 || line.IsInABox(i)) continue;
-    sum.place += static_cast<float>(i), sum.inverse_depth += 1 / metres, ++count;
+  void Fit(const BodySearch& search, const CellRange& range, float near) {
+    Eigen::Matrix3f squares = Eigen::Matrix3f::Identity() * 1e-3f;  // one cell alone says nothing of a slope
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int row = range.top; row < range.bottom; ++row) {
+      for (int column = range.left; column < range.right; ++column) {
+        const float metres = MetresAt(search, column, row);
+        if (metres <= 0 || std::abs(Behind(column, row, metres)) > near) continue;
+        const Eigen::Vector3f place = Place(column, row);
+        squares += place * place.transpose();
+        sum += place / metres;
+      }
+    }
+    inverse_depth_ = squares.ldlt().solve(sum);
   }
-  if (count < kLeastBeside) return std::nullopt;
-  return Mark{sum.place / count, sum.inverse_depth / count};
-}
 
-/// How many cells there are, how many of them are measured between two marks, and how many of these lie on the line
-/// through the marks: the inverse depth of a plane is affine in the picture.
+  Eigen::Vector3f inverse_depth_ = Eigen::Vector3f::Zero();
+};
+
+/// How many cells are measured, and where they lie.
 struct Count {
-  float all = 0, judged = 0, on = 0;
+  float measured = 0, on = 0, behind = 0;
 };
 
-void Judge(const Line& line, int begin, int end, Count& count) {
-  const auto before = Beside(line, begin - 1 - kInexactCells, -1), behind = Beside(line, end + kInexactCells, 1);
-  count.all += static_cast<float>(end - begin);
-  if (!before || !behind) return;
-  for (int i = begin; i < end; ++i) {
-    const float metres = line.At(i);
-    if (metres <= 0) continue;
-    const float share = (static_cast<float>(i) - before->place) / (behind->place - before->place);
-    const float wall = 1 / (before->inverse_depth + share * (behind->inverse_depth - before->inverse_depth));
-    ++count.judged;
-    if (wall < kFarM && std::abs(metres - wall) < kOffM + kNoise * wall * wall) ++count.on;
+/// `is_beside`: cells in other boxes count where they are on the wall, too.
+Count CountIn(const BodySearch& search, const Wall& wall, const CellRange& range, bool is_beside) {
+  Count count;
+  for (int row = std::max(0, range.top); row < std::min(range.bottom, search.depth.rows()); ++row) {
+    for (int column = std::max(0, range.left); column < std::min(range.right, search.depth.columns()); ++column) {
+      const float metres = MetresAt(search, column, row);
+      if (metres <= 0) continue;
+      const bool is_on = wall.Holds(column, row, metres);
+      if (is_beside && !is_on && search.IsInABox(column, row)) continue;
+      ++count.measured;
+      if (is_on) {
+        ++count.on;
+      } else if (wall.Behind(column, row, metres) > 0) {
+        ++count.behind;
+      }
+    }
   }
+  return count;
 }
 
-bool IsWall(const Count& count) {
-  return count.judged >= kLeastCells && count.judged >= kLeastJudged * count.all && count.on >= kLeastOn * count.judged;
-}
+bool IsOn(const Count& count) { return count.on >= kLeastOn * count.measured; }
 
 }  // namespace
 
 bool LiesInAWall(const BodySearch& search, const Box& box) {
   if (search.depth.empty()) return false;
   const CellRange range = search.depth.RangeOf(box);
-  Count across, along;
-  for (int row = range.top; row < range.bottom; ++row) {
-    Judge(Line(search, true, row), range.left, range.right, across);
+  const Wall wall(search, range);
+  const Count inside = CountIn(search, wall, range, false);
+  const float least = std::max(kLeastCells, kLeastMeasured * static_cast<float>(range.size()));
+  if (inside.measured < least || !IsOn(inside)) return false;
+
+  constexpr int kFrom = kInexactCells, kTo = kInexactCells + kBesideCells;
+  const std::array<CellRange, 4> sides = {{{range.left - kTo, range.top, range.left - kFrom, range.bottom},
+                                           {range.right + kFrom, range.top, range.right + kTo, range.bottom},
+                                           {range.left, range.top - kTo, range.right, range.top - kFrom},
+                                           {range.left, range.bottom + kFrom, range.right, range.bottom + kTo}}};
+  bool goes_on = false;
+  for (const CellRange& side : sides) {
+    const bool is_below = side.top > range.bottom;  // a body, too, goes on below a box that cuts it
+    const Count beside = CountIn(search, wall, side, true);
+    if (beside.measured < kLeastBeside * static_cast<float>(side.size())) continue;
+    if (beside.behind > kMostBehind * beside.measured) return false;
+    goes_on = goes_on || (!is_below && IsOn(beside));
   }
-  if (IsWall(across)) return true;
-  for (int column = range.left; column < range.right; ++column) {
-    Judge(Line(search, false, column), range.top, range.bottom, along);
-  }
-  return IsWall(along);
+  return goes_on;
 }
 
 }  // namespace yorb

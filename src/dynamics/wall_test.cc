@@ -39,7 +39,14 @@ bool IsWall(const DepthImage& image, const Box& box, const std::vector<Box>& bod
 
 TEST(LiesInAWall, APosterDoes) {
   EXPECT_TRUE(IsWall(Measured(Wall), kBox));
-  EXPECT_TRUE(IsWall(Measured(Wall), {"person", 0.9, 0, 120, 160, 380})) << "seen above and below it, not on the left";
+  EXPECT_TRUE(IsWall(Measured(Wall), {"person", 0.9, 0, 120, 160, 380})) << "at the left edge of the picture";
+  EXPECT_TRUE(IsWall(Measured(Wall), {"person", 0.9, 300, 0, kWidth, kHeight})) << "only the left of it is in view";
+}
+
+TEST(LiesInAWall, TwoPeopleOfOnePosterDo) {
+  const Box other{"person", 0.8, 380, 100, kWidth, 470};
+  EXPECT_TRUE(IsWall(Measured(Wall), kBox, {kBox, other}));
+  EXPECT_TRUE(IsWall(Measured(Wall), other, {kBox, other})) << "all beside it lies in the first one's box";
 }
 
 TEST(LiesInAWall, WhoStandsOrLeansBeforeItDoesNot) {
@@ -59,9 +66,24 @@ TEST(LiesInAWall, WhoFillsADoorDoesNot) {
   EXPECT_FALSE(IsWall(door, kBox));
 }
 
+TEST(LiesInAWall, WhoFillsABoxDoesNot) {
+  // As flat as a board, and cut by three edges of the picture or by the lower edge of the box.
+  const auto before = [](int left, int top, int right) {
+    return Measured([=](int x, int y) { return x > left && x < right && y > top ? 1.5 : Wall(x, y); });
+  };
+  EXPECT_FALSE(IsWall(before(300, -1, kWidth), {"person", 0.9, 300, 0, kWidth, kHeight}));
+  EXPECT_FALSE(IsWall(before(240, 120, 400), kBox));
+}
+
+TEST(LiesInAWall, WhereTheWallEndsNothingIsSaid) {
+  const auto image = Measured([](int x, int y) { return x < 400 ? Wall(x, y) : 4.5; });
+  EXPECT_FALSE(IsWall(image, kBox)) << "a flat body that its box cuts on the left would look like that";
+}
+
 TEST(LiesInAWall, IsNotSaidWithoutSurroundingsOrFarAway) {
   EXPECT_FALSE(IsWall(Measured(Wall), {"person", 0.9, 0, 0, kWidth, kHeight}));
-  EXPECT_FALSE(IsWall(Measured(Wall), kBox, {{"person", 0.9, 0, 0, kWidth, kHeight}})) << "another body is all around";
+  const auto gap = Measured([](int x, int y) { return x > 224 && x < 416 && y > 104 && y < 396 ? Wall(x, y) : 1.0; });
+  EXPECT_FALSE(IsWall(gap, kBox, {{"person", 0.9, 0, 0, kWidth, kHeight}})) << "another body is all around";
   EXPECT_FALSE(IsWall(Measured([](int, int) { return 7; }), kBox));
   EXPECT_FALSE(IsWall(Measured([](int, int) { return 0; }), kBox));
 }

@@ -9,7 +9,7 @@ namespace yorb {
 /// Options of the tracker; YAML group `tracking`.
 struct TrackingOptions {
   double lost_after_s = 0.5;         ///< without a confirmed pose for so long, "recently lost" becomes "lost"
-  double new_map_after_s = 3;        ///< in sight of something unknown, a lost camera begins a new sub-map
+  double new_map_after_s = 2;        ///< in sight of something unknown, a lost camera begins a new sub-map
   int min_first_points = 100;        ///< points with depth that the first keyframe of a sub-map needs
   int min_inliers = 30;              ///< matched landmarks that confirm a pose
   int min_inliers_after_loss = 50;   ///< the same, shortly after tracking was lost
