@@ -62,7 +62,8 @@ TEST(DenseCloud, LiesOnWhatTheDepthPicturesShow) {
 }
 
 TEST(DenseCloud, LeavesPeopleAndMaskedPixelsOut) {
-  const WallDataset wall(1);
+  WallDataset wall(1);
+  wall.left_mm = 1500;
   RunParts parts;
   parts.slam.detector = std::make_unique<SomebodyLeft>();
   const auto made = MakeDenseClouds(MapOf(wall), {KeyframeId(0)}, wall, parts, {});

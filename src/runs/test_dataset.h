@@ -46,6 +46,7 @@ class WallDataset : public Dataset {
     images.timestamp = TimeOf(i);
     images.grey = wall_(cv::Rect(static_cast<int>(i % 200), 0, columns, kHeight)).clone();
     images.depth.pixels = cv::Mat(kHeight, columns, CV_16UC1, cv::Scalar(2000));
+    images.depth.pixels.colRange(0, columns / 2).setTo(left_mm);
     images.depth.metres_per_unit = 0.001;
     frame.images = std::move(images);
     frame.depth = {true, false, 1, 2};
@@ -54,6 +55,7 @@ class WallDataset : public Dataset {
 
   std::set<size_t> broken, unreadable;  ///< frames that cannot be read: an error, or skipped
   size_t narrow_from = size_t(-1);      ///< from here on the pictures have half the width
+  int left_mm = 2000;  ///< how far away the left half of each picture is; less: it stands before the wall
 
  private:
   static constexpr int kWidth = 320, kHeight = 240;
