@@ -72,7 +72,7 @@ struct Count {
   float measured = 0, on = 0, behind = 0;
 };
 
-/// `is_beside`: cells in other boxes count where they are on the wall, too.
+/// `is_beside`: of the cells in other boxes, which may be those of bodies, only what lies on the wall counts.
 Count CountIn(const BodySearch& search, const Wall& wall, const CellRange& range, bool is_beside) {
   Count count;
   for (int row = std::max(0, range.top); row < std::min(range.bottom, search.depth.rows()); ++row) {
