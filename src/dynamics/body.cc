@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynamics/body.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -125,7 +124,7 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
 }  // namespace
 
 bool BodyPlane::Holds(int column, int row, float depth_m) const {
-  const float off = depth_m - DepthAt(column, row);
+  const float off = depth_m - plane.DepthAt(column, row);
   const float noise = 0.01f * depth_m * depth_m;
   return depth_m > 0 && off > -(kFrontM + noise) && off < kBackM + noise;
 }
@@ -207,35 +206,22 @@ std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, cons
 BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign) {
   const CellRange range = search.depth.RangeOf(box);
   constexpr int kTurns = 8, kStep = 2;
-  constexpr float kStiffness = 2e-4f;  // of the tilt, a share of the cells
-  BodyPlane body;
-  body.inverse_depth = {1 / sign.metres, 0, 0};
-  const Eigen::Vector2f middle(0.5f * static_cast<float>(range.left + range.right - 1),
-                               0.5f * static_cast<float>(range.top + range.bottom - 1));
-  const Eigen::Vector2f half(0.5f * static_cast<float>(range.right - range.left),
-                             0.5f * static_cast<float>(range.bottom - range.top));
+  constexpr float kStiffness = 2e-4f;
+  BodyPlane body{{{1 / sign.metres, 0, 0}}, 0};
   for (int turn = 0; turn < kTurns; ++turn) {
-    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-    Eigen::Vector3f products = Eigen::Vector3f::Zero();
+    CellPlaneFit fit(range);
     for (int row = range.top; row < range.bottom; row += kStep) {
       for (int column = range.left; column < range.right; column += kStep) {
         const float depth = search.depth.At(column, row);
         if (search.taken[search.depth.IndexOf(column, row)] != 0 || !body.Holds(column, row, depth)) continue;
-        const float x = (static_cast<float>(column) - middle.x()) / half.x();
-        const Eigen::Vector3f place(1, x, (static_cast<float>(row) - middle.y()) / half.y());
-        const float weight = 1.2f - x * x;
-        squares += weight * place * place.transpose();
-        products += weight / depth * place;
+        const float across = fit.Across(column);
+        fit.Add(column, row, depth, 1.2f - across * across);
       }
     }
-    const float stiffness = kStiffness * squares(0, 0) + 1e-6f;
-    squares(1, 1) += stiffness, squares(2, 2) += stiffness;
-    if (squares(0, 0) < 1) break;
-    const Eigen::Vector3f plane = squares.ldlt().solve(products);
-    body.inverse_depth = {plane[0] - plane[1] * middle.x() / half.x() - plane[2] * middle.y() / half.y(),
-                          plane[1] / half.x(), plane[2] / half.y()};
+    if (fit.weight() < 1) break;
+    body.plane = fit.Solve(kStiffness);
   }
-  body.metres = body.DepthAt((range.left + range.right) / 2, (range.top + range.bottom) / 2);
+  body.metres = body.plane.DepthAt((range.left + range.right) / 2, (range.top + range.bottom) / 2);
   return body;
 }
 

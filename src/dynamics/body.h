@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
-#include "dynamics/depth_cells.h"
+#include "dynamics/cell_plane.h"
 
 namespace yorb {
 
@@ -24,16 +23,11 @@ struct BodySign {
   float num_cells = 0;  ///< the same as a number of cells
 };
 
-/// Where the body in a box is: a plane, whose inverse depth is an affine function of the place in the picture. Who
-/// stands upright before a camera that looks down is nearer at the head than at the feet.
+/// Where the body in a box is: a plane. Who stands upright before a camera that looks down is nearer at the head than
+/// at the feet.
 struct BodyPlane {
-  Eigen::Vector3f inverse_depth = Eigen::Vector3f::Zero();  ///< 1/m: at column 0 and row 0; for each column; each row
-  float metres = 0;                                         ///< depth in the middle of the box
-
-  /// Metres; infinite or negative where the plane is not seen.
-  float DepthAt(int column, int row) const {
-    return 1 / inverse_depth.dot(Eigen::Vector3f(1, static_cast<float>(column), static_cast<float>(row)));
-  }
+  CellPlane plane;
+  float metres = 0;  ///< depth in the middle of the box
 
   /// Whether a measured depth belongs to the body: arms reach forward more than backs reach back.
   bool Holds(int column, int row, float depth_m) const;

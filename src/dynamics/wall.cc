@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynamics/wall.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,46 +25,35 @@ float MetresAt(const BodySearch& search, int column, int row) {
   return search.taken[search.depth.IndexOf(column, row)] == kBody ? 0 : search.depth.At(column, row);
 }
 
-/// A plane: its inverse depth, 1/m, is affine in the picture.
-class Wall {
- public:
-  /// Through most of what is measured in a range: each turn takes in what lies near the plane of the turn before.
-  Wall(const BodySearch& search, const CellRange& range) {
-    constexpr std::array<float, 3> kNear = {3, 1, 1};
-    Fit(search, range, std::numeric_limits<float>::infinity());
-    for (const float near : kNear) Fit(search, range, near);
-  }
+/// How far behind a wall a measured depth is, in units of what it may be off; before it where negative.
+float Behind(const CellPlane& wall, int column, int row, float metres) {
+  const float there = 1 / std::max(wall.InverseDepthAt(column, row), 1 / kFarM);
+  return (metres - there) / (kOffM + kNoise * there * there);
+}
 
-  /// How far behind the plane a measured depth is, in units of what it may be off; before it where negative.
-  float Behind(int column, int row, float metres) const {
-    const float wall = 1 / std::max(InverseAt(column, row), 1 / kFarM);
-    return (metres - wall) / (kOffM + kNoise * wall * wall);
-  }
-  bool Holds(int column, int row, float metres) const {
-    return InverseAt(column, row) > 1 / kFarM && std::abs(Behind(column, row, metres)) < 1;
-  }
+bool Holds(const CellPlane& wall, int column, int row, float metres) {
+  return wall.InverseDepthAt(column, row) > 1 / kFarM && std::abs(Behind(wall, column, row, metres)) < 1;
+}
 
- private:
-  static Eigen::Vector3f Place(int column, int row) { return {1, static_cast<float>(column), static_cast<float>(row)}; }
-  float InverseAt(int column, int row) const { return inverse_depth_.dot(Place(column, row)); }
-
-  void Fit(const BodySearch& search, const CellRange& range, float near) {
-    Eigen::Matrix3f squares = Eigen::Matrix3f::Identity() * 1e-3f;  // one cell alone says nothing of a slope
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+/// The plane through most of what is measured in a range: each turn takes in what lies near that of the turn before,
+/// the first one everything.
+CellPlane FitWall(const BodySearch& search, const CellRange& range) {
+  constexpr std::array<float, 4> kNear = {std::numeric_limits<float>::infinity(), 3, 1, 1};
+  constexpr float kStiffness = 1e-5f;
+  CellPlane wall;
+  for (const float near : kNear) {
+    CellPlaneFit fit(range);
     for (int row = range.top; row < range.bottom; ++row) {
       for (int column = range.left; column < range.right; ++column) {
         const float metres = MetresAt(search, column, row);
-        if (metres <= 0 || std::abs(Behind(column, row, metres)) > near) continue;
-        const Eigen::Vector3f place = Place(column, row);
-        squares += place * place.transpose();
-        sum += place / metres;
+        if (metres > 0 && std::abs(Behind(wall, column, row, metres)) <= near) fit.Add(column, row, metres);
       }
     }
-    inverse_depth_ = squares.ldlt().solve(sum);
+    if (fit.weight() < kLeastCells) break;
+    wall = fit.Solve(kStiffness);
   }
-
-  Eigen::Vector3f inverse_depth_ = Eigen::Vector3f::Zero();
-};
+  return wall;
+}
 
 /// How many cells are measured, and where they lie.
 struct Count {
@@ -73,18 +61,18 @@ struct Count {
 };
 
 /// `is_beside`: of the cells in other boxes, which may be those of bodies, only what lies on the wall counts.
-Count CountIn(const BodySearch& search, const Wall& wall, const CellRange& range, bool is_beside) {
+Count CountIn(const BodySearch& search, const CellPlane& wall, const CellRange& range, bool is_beside) {
   Count count;
   for (int row = std::max(0, range.top); row < std::min(range.bottom, search.depth.rows()); ++row) {
     for (int column = std::max(0, range.left); column < std::min(range.right, search.depth.columns()); ++column) {
       const float metres = MetresAt(search, column, row);
       if (metres <= 0) continue;
-      const bool is_on = wall.Holds(column, row, metres);
+      const bool is_on = Holds(wall, column, row, metres);
       if (is_beside && !is_on && search.IsInABox(column, row)) continue;
       ++count.measured;
       if (is_on) {
         ++count.on;
-      } else if (wall.Behind(column, row, metres) > 0) {
+      } else if (Behind(wall, column, row, metres) > 0) {
         ++count.behind;
       }
     }
@@ -99,7 +87,7 @@ bool IsOn(const Count& count) { return count.on >= kLeastOn * count.measured; }
 bool LiesInAWall(const BodySearch& search, const Box& box) {
   if (search.depth.empty()) return false;
   const CellRange range = search.depth.RangeOf(box);
-  const Wall wall(search, range);
+  const CellPlane wall = FitWall(search, range);
   const Count inside = CountIn(search, wall, range, false);
   const float least = std::max(kLeastCells, kLeastMeasured * static_cast<float>(range.size()));
   if (inside.measured < least || !IsOn(inside)) return false;
