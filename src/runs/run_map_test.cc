@@ -217,7 +217,7 @@ TEST_P(RunMaps, GetANewSubmapWhereNothingIsRecognised) {
   const RunSummary elsewhere = Done(OtherWall(60), options);
   EXPECT_EQ(elsewhere.tracked, 0u) << "trajectory.txt is in the world of the map that was loaded";
   EXPECT_EQ(AlongTheWall("b/trajectory.txt").size(), 0u);
-  EXPECT_GT(AlongTheWall("b/trajectory_2.txt").size(), AtLeast(20));
+  EXPECT_GE(AlongTheWall("b/trajectory_2.txt").size(), AtLeast(60)) << "with the frames that the camera was lost in";
   ExpectCounts(elsewhere, "b.map");
   EXPECT_EQ(Text("b/keyframes.txt"), Text("a/keyframes.txt"));
 

@@ -65,7 +65,13 @@ std::vector<SubmapReport> SubmapsOf(const std::vector<FrameRecord>& records, con
 
 void FrameLog::Add(const FrameRecord& record) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  records_.push_back(record);
+  const auto is_older = [&](const FrameRecord& other) { return other.id < record.id; };
+  const auto known = std::partition_point(records_.begin(), records_.end(), is_older);
+  if (known != records_.end() && known->id == record.id) {
+    *known = record;
+    return;
+  }
+  records_.insert(known, record);
   stage_ms_["extract"].push_back(record.extract_ms);
   if (record.detect_ms > 0) stage_ms_["detect"].push_back(record.detect_ms);
   stage_ms_["remove"].push_back(record.remove_ms);

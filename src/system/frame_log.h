@@ -16,6 +16,7 @@ namespace yorb {
 /// What has happened to each frame, and how long each stage took. Any thread may call anything.
 class FrameLog {
  public:
+  /// A frame that was added before is known better now; its times count as they were.
   void Add(const FrameRecord& record);
   void Add(const MappingTimes& times);
   void Add(const std::string& stage, double ms);

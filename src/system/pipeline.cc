@@ -3,8 +3,6 @@
 #include "system/pipeline.h"
 
 #include <algorithm>
-#include <set>
-#include <tuple>
 #include <utility>
 
 #include "core/priority.h"
@@ -58,50 +56,6 @@ double ShareOf(const cv::Mat& mask) {
   return mask.empty() ? 0 : static_cast<double>(cv::countNonZero(mask)) / static_cast<double>(mask.total());
 }
 
-/// What the tracker says of a frame, with what is known from before.
-FrameRecord Joined(const FrameRecord& before, const FrameRecord& tracked, double track_ms) {
-  FrameRecord record = tracked;
-  record.num_extracted = before.num_extracted;
-  record.num_static = before.num_static;
-  record.num_removed = before.num_removed;
-  record.num_given_back = before.num_given_back;
-  record.num_boxes = before.num_boxes;
-  record.num_bridged = before.num_bridged;
-  record.extract_ms = before.extract_ms;
-  record.detect_ms = before.detect_ms;
-  record.remove_ms = before.remove_ms;
-  record.track_ms = track_ms;
-  record.frame_total_ms = before.frame_total_ms + track_ms;
-  return record;
-}
-
-/// What tells the keypoints of one picture apart.
-using Places = std::set<std::tuple<int, float, float>>;
-
-std::tuple<int, float, float> PlaceOf(const Keypoint& point) { return {point.octave, point.x, point.y}; }
-
-Places PlacesOf(const std::vector<Keypoint>& points) {
-  Places places;
-  for (const Keypoint& point : points) places.insert(PlaceOf(point));
-  return places;
-}
-
-/// How many of the points that the tracker found to move were counted among the dynamic ones before.
-int CountSuspects(const Frame& frame, const Places& moving) {
-  if (moving.empty()) return 0;
-  const auto first = frame.keypoints.end() - static_cast<std::ptrdiff_t>(frame.num_suspects);
-  return static_cast<int>(std::count_if(first, frame.keypoints.end(),
-                                        [&](const Keypoint& point) { return moving.count(PlaceOf(point)) > 0; }));
-}
-
-/// Marks as dynamic the points that the tracker found to move.
-void MarkMoving(const std::vector<Keypoint>& points, const Places& moving, std::vector<Verdict>& verdicts) {
-  if (moving.empty()) return;
-  for (size_t i = 0; i < points.size(); ++i) {
-    if (moving.count(PlaceOf(points[i])) > 0) verdicts[i] = Verdict::kDynamic;
-  }
-}
-
 /// Whether moving things took most points: those that were extracted are spread over the whole picture, and what is
 /// left of it has more to give. Where suspects are kept, fewer others will do.
 bool NeedsSecondLook(const FrameRecord& record, bool keeps_suspects) {
@@ -152,15 +106,14 @@ Pipeline::~Pipeline() { Finish(); }
 bool Pipeline::Push(ImageSet images) {
   if (mode_ == Mode::kOffline) return images_.Push(std::move(images));
   if (mode_ == Mode::kLive) return images_.TryPush(std::move(images));
-  Extracted extracted = Extract(images);
-  if (const auto proposal = Track(extracted)) {
-    const KeyframeId added = Handle(*proposal, {});
+  TrackAll(Extract(images), [this](const Proposal& proposal) {
+    const KeyframeId added = Handle(proposal, {});
     view_.Set(mapper_.Snapshot());
     LookForLoops(added, [this](const Correction& correction) {
       mapper_.Apply(correction);
       view_.Set(mapper_.Snapshot());
     });
-  }
+  });
   return true;
 }
 
@@ -281,24 +234,6 @@ Pipeline::Extracted Pipeline::Extract(const ImageSet& images) {
   return extracted;
 }
 
-std::optional<Proposal> Pipeline::Track(Extracted& extracted) {
-  const Stopwatch watch;
-  const size_t backlog = num_pending_;  // before the view: where nothing waits, it shows all keyframes
-  const MapSnapshot map = view_.Get();
-  Tracked tracked = tracker_.Track(extracted.frame, *map, backlog, std::move(extracted.sight));
-  const Places moving = PlacesOf(tracked.moving);
-  const int num_new = static_cast<int>(moving.size()) - CountSuspects(*extracted.frame, moving);
-  extracted.record.num_static -= num_new;
-  extracted.record.num_removed += num_new;
-  log_.Add(Joined(extracted.record, tracked.record, watch.ms()));
-  if (extracted.judged) {
-    Judged& judged = *extracted.judged;
-    MarkMoving(judged.points, moving, judged.verdicts);
-    parts_.watch({judged.images, judged.points, judged.verdicts, judged.areas});
-  }
-  return std::move(tracked.proposal);
-}
-
 KeyframeId Pipeline::Handle(const Proposal& proposal, const MapperHooks& hooks) {
   const MappingTimes times = mapper_.Handle(proposal, hooks);
   log_.Add(times);
@@ -336,12 +271,12 @@ void Pipeline::RunExtraction() {
 
 void Pipeline::RunTracking() {
   while (auto extracted = frames_.Pop()) {
-    auto proposal = Track(*extracted);
-    if (!proposal) continue;
-    const bool is_first = !proposal->reference.IsValid();
-    ++num_pending_;
-    events_.Push(*std::move(proposal));
-    if (is_first) first_map_.Pop();
+    TrackAll(*std::move(extracted), [this](Proposal proposal) {
+      const bool is_first = !proposal.reference.IsValid();
+      ++num_pending_;
+      events_.Push(std::move(proposal));
+      if (is_first) first_map_.Pop();
+    });
   }
   events_.Push(EndOfFrames());
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <atomic>
+#include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -79,7 +81,8 @@ class Pipeline {
   Looked Await(const ImageSet& images, bool was_asked);
   Extracted Extract(const ImageSet& images);
   Extracted Remove(const ImageSet& images, Features features, const Looked& looked);
-  std::optional<Proposal> Track(Extracted& extracted);
+  void TrackAll(Extracted extracted, const std::function<void(Proposal)>& give);
+  Tracked Track(Extracted& extracted);
   KeyframeId Handle(const Proposal& proposal, const MapperHooks& hooks);
   template <typename Apply>
   void LookForLoops(KeyframeId added, Apply&& apply);
@@ -115,7 +118,8 @@ class Pipeline {
   Latest<Map> view_;
   Latest<Error> fault_;
   FrameLog log_;
-  const KeyframeId first_own_;  ///< all before are those of the map that was gone on from
+  std::deque<Extracted> waiting_;  ///< of the tracker: what it has seen since it was lost
+  const KeyframeId first_own_;     ///< all before are those of the map that was gone on from
   uint32_t next_frame_;
   std::optional<Timestamp> last_asked_;  ///< the newest picture that the detector was given
   std::vector<std::thread> threads_;

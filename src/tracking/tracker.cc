@@ -43,7 +43,8 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 
 Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, Sight sight) {
   sight_ = std::move(sight);
-  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
+  const bool begins = state_ == TrackingState::kNotInitialized || starts_over_;
+  Tracked tracked = begins ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
@@ -67,7 +68,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   movers_.Forget();
   surfaces_.Forget();
   last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame, sight_.grey};
-  was_lost_ = false;
+  was_lost_ = starts_over_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
   tracked.record.num_matched = tracked.record.num_inliers = num_points;
@@ -88,7 +89,8 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   ++frames_since_proposal_;
   if (!located) {
     NoteLoss(*frame, sought.was_refused);
-    return IsTimeForANewMap(*frame, backlog) ? Begin(raw_frame, map) : tracked;
+    tracked.starts_over = starts_over_ = IsTimeForANewMap(*frame, backlog);
+    return tracked;
   }
   if (!task_.only_locates) CountSeen(*located);
   Fix& fix = located->fix;
