@@ -78,7 +78,7 @@ void AddBenchDetector(CLI::App& bench, Action& action) {
   command->add_option("MODELS", a->models, "ONNX files [models/yolo_mo.onnx]")->type_name("FILE");
   command->add_option("--evaluate", a->labelled, "Labelled pictures in YOLO's layout: recall, precision, mAP")
       ->type_name("DIR");
-  command->add_option("--set", a->set, "Only DIR/images/NAME")->type_name("NAME");
+  command->add_option("--set", a->set, "Only DIR/images/NAME")->type_name("NAME")->needs("--evaluate");
   command
       ->add_option("--sequence", a->sequences,
                    "A sequence with a people.txt: how many of its people are found; may be given often")

@@ -189,6 +189,17 @@ Status CheckFolderIsWritable(const std::string& folder) {
   return Status::Ok();
 }
 
+/// Pictures are saved under their own names: among themselves they would be overwritten.
+Status CheckPicturesStay(const DetectArguments& arguments) {
+  std::error_code ignored;
+  for (const fs::path place : arguments.places) {
+    const fs::path folder = fs::is_directory(place, ignored) ? place : fs::absolute(place, ignored).parent_path();
+    if (fs::equivalent(folder, *arguments.save, ignored))
+      return BadInput("--save: " + *arguments.save + " is where the pictures are; name another folder");
+  }
+  return Status::Ok();
+}
+
 Status DetectAll(const DetectArguments& arguments, const DetectionOptions& options) {
   if (arguments.places.empty())
     return BadInput("yorb detect needs a picture, folder, video or sequence, or --evaluate DIR");
@@ -198,6 +209,7 @@ Status DetectAll(const DetectArguments& arguments, const DetectionOptions& optio
   auto classes = ClassesOf(arguments, (*detector)->names());
   if (!classes) return classes.error();
   if (arguments.save) {
+    if (Status stays = CheckPicturesStay(arguments); !stays) return stays;
     if (Status writable = CheckFolderIsWritable(*arguments.save); !writable) return writable;
   }
   BoxOutput output(arguments, *std::move(classes));
@@ -273,7 +285,7 @@ void AddDetectCommand(CLI::App& program, Action& action) {
       ->add_option("--evaluate", a->evaluate,
                    "Measures the detector on pictures with labels in YOLO's layout: DIR/images, DIR/labels")
       ->type_name("DIR");
-  command->add_option("--set", a->set, "Only DIR/images/NAME")->type_name("NAME");
+  command->add_option("--set", a->set, "Only DIR/images/NAME")->type_name("NAME")->needs("--evaluate");
   command->footer(
       "Examples:\n"
       "  yorb detect photo.jpg holiday/ --save boxes\n"

@@ -26,8 +26,8 @@ PACING = r"src/runs/feed\.cc"  # the live player keeps the pace of the time stam
 # Third parties and the files that may include them: (what, pattern of the include, pattern of the files, where instead).
 GUESTS = [
     ("spdlog", r"(spdlog|fmt)/", r"src/core/log\.cc", "core/log.cc; log through core/log.h"),
-    ("YAML", r"yaml-cpp/", r"src/camera/camera_io\.cc|src/system/config_io\.cc",
-     "camera/camera_io.cc and system/config_io.cc"),
+    ("YAML", r"yaml-cpp/", r"src/camera/camera_io\.cc|src/datasets/class_list\.cc|src/system/config_io\.cc",
+     "camera/camera_io.cc, datasets/class_list.cc and system/config_io.cc"),
     ("OpenCV", r"opencv2/", r"(?!src/(core|geometry|map|optimize|places)/).*",
      "rooms that see pictures; not in core, geometry, map, optimize, places"),
     ("nlohmann-json", r"nlohmann/", r"(src/(system|detection|datasets|evaluation|runs|experiments)|apps|tests)/.*",

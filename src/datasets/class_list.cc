@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The lists of classes that sets of labelled pictures carry.
+#include <yaml-cpp/yaml.h>
+
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "core/log.h"
 #include "core/text.h"
 #include "datasets/labelled_set.h"
 #include "detection/class_names.h"
@@ -25,12 +27,12 @@ struct NumberedName {
   std::string name;
 };
 
-/// "7 dining_table"; nothing for a line that begins otherwise.
+/// "7 dining_table" or "7: dining_table"; nothing for a line that begins otherwise.
 std::optional<NumberedName> SplitNumber(const std::string& line) {
-  const size_t end = line.find_first_of(" \t");
+  const size_t end = line.find_first_of(" \t:");
   const auto number = ParseInteger(line.substr(0, end));
   if (!number || end == std::string::npos) return std::nullopt;
-  return NumberedName{*number, std::string(Trim(line.substr(end)))};
+  return NumberedName{*number, std::string(Trim(line.substr(end + 1)))};
 }
 
 Result<Names> ReadClassesTxt(const std::string& path) {
@@ -54,56 +56,41 @@ Result<Names> ReadClassesTxt(const std::string& path) {
   return names;
 }
 
-/// A YAML text without its quotes and what follows as a comment.
-std::string PlainYaml(std::string_view text) {
-  text = Trim(text);
-  if (!text.empty() && (text.front() == '\'' || text.front() == '"')) {
-    const size_t end = text.find(text.front(), 1);
-    return std::string(text.substr(1, end == std::string_view::npos ? end : end - 1));
-  }
-  return std::string(Trim(text.substr(0, text.find(" #"))));
+Error BadYaml(const std::string& path, const YAML::Mark& mark, const std::string& fault) {
+  return BadInput(path + (mark.is_null() ? "" : ", line " + std::to_string(mark.line + 1)) + ": " + fault);
 }
 
-/// The lines below `names:`, "0: person" or "- person".
-Result<Names> NamesBelow(const TextFile& file, size_t line) {
+/// `names` of a data.yaml: a list, or names by number.
+Result<Names> NamesOf(const YAML::Node& list, const std::string& path) {
+  if (!list.IsSequence() && !list.IsMap())
+    return BadYaml(path, list.Mark(), "names is no list; write names: [person, chair], or a line each");
   Names names;
-  for (size_t i = line + 1; i < file.lines.size(); ++i) {
-    const std::string_view text = file.lines[i].text;
-    const size_t colon = text.find(':');
-    const auto number = colon == std::string_view::npos ? std::nullopt : ParseInteger(Trim(text.substr(0, colon)));
-    if (text.front() == '-') {
-      names.push_back(PlainYaml(text.substr(1)));
-    } else if (number) {
-      if (*number < 0 || *number >= kMostClasses)
-        return BadInput(file.Where(file.lines[i]) + ": the number of a class is out of range");
-      if (names.size() <= static_cast<size_t>(*number)) names.resize(static_cast<size_t>(*number) + 1);
-      names[static_cast<size_t>(*number)] = PlainYaml(text.substr(colon + 1));
-    } else {
-      break;
-    }
+  long long next = 0;
+  for (const auto& entry : list) {
+    const YAML::Node name = list.IsMap() ? entry.second : entry;
+    if (!name.IsScalar()) return BadYaml(path, list.Mark(), "the name of a class must be a word");
+    const auto number = list.IsMap() ? ParseInteger(entry.first.IsScalar() ? entry.first.Scalar() : "") : next++;
+    if (!number) return BadYaml(path, name.Mark(), "a name of names has no number before it");
+    if (*number < 0 || *number >= kMostClasses)
+      return BadYaml(path, name.Mark(), "the number of a class is out of range");
+    if (names.size() <= static_cast<size_t>(*number)) names.resize(static_cast<size_t>(*number) + 1);
+    names[static_cast<size_t>(*number)] = name.Scalar();
   }
-  if (names.empty()) return BadInput(file.Where(file.lines[line]) + ": no class names follow");
+  if (names.empty()) return BadYaml(path, list.Mark(), "no class names follow");
   return names;
 }
 
 /// Of a data.yaml only `names` counts; its paths are those of whoever trained.
 Result<Names> ReadDataYaml(const std::string& path) {
-  const auto file = ReadTextFile(path);
-  if (!file) return file.error();
-  for (size_t i = 0; i < file->lines.size(); ++i) {
-    const std::string_view text = file->lines[i].text;
-    if (text.substr(0, 6) != "names:") continue;
-    std::string value(Trim(text.substr(6)));
-    if (value.empty() || value.front() == '#') return NamesBelow(*file, i);
-    std::optional<Names> names = ParseClassNames(PlainYaml(value));
-    for (size_t k = i + 1; !names && k < file->lines.size(); ++k) {  // a list that goes on over lines
-      value += " " + file->lines[k].text;
-      names = ParseClassNames(PlainYaml(value));
-    }
-    if (names) return *names;
-    return BadInput(file->Where(file->lines[i]) + ": names is no list; write names: [person, chair], or a line each");
+  try {
+    const YAML::Node file = YAML::LoadFile(path);
+    if (file.IsMap() && file["names"]) return NamesOf(file["names"], path);
+    return BadInput(path + " has no names: the list of its classes");
+  } catch (const YAML::BadFile&) {
+    return BadInput(path + " cannot be read");
+  } catch (const YAML::Exception& error) {
+    return BadYaml(path, error.mark, error.msg);
   }
-  return BadInput(path + " has no names: the list of its classes");
 }
 
 }  // namespace
@@ -115,6 +102,11 @@ Result<Names> ReadClassList(const std::string& folder) {
   for (const char* name : {"data.yaml", "data.yml"}) {
     if (fs::exists(at(name), ignored)) return ReadDataYaml(at(name));
   }
+  // LabelImg writes its list among the labels.
+  if (const auto list = (fs::path(folder) / "labels" / "classes.txt").string(); fs::exists(list, ignored))
+    return ReadClassesTxt(list);
+  LogWarning("no-class-list",
+             folder + " has no list of its classes (classes.txt or data.yaml); they count as COCO's 80");
   return CocoNames();
 }
 

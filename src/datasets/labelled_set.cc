@@ -32,6 +32,8 @@ LabelledBox FromPolygon(const std::vector<double>& n) {
   return box;
 }
 
+bool HasArea(const LabelledBox& box) { return box.right > box.left && box.bottom > box.top; }
+
 /// What is wrong with the numbers behind the class, in words; empty where all is well.
 std::string FaultOf(const std::vector<double>& numbers, size_t num_words) {
   const bool is_box = numbers.size() == 4, is_polygon = numbers.size() >= 6 && numbers.size() % 2 == 0;
@@ -42,6 +44,7 @@ std::string FaultOf(const std::vector<double>& numbers, size_t num_words) {
       return "they are no fractions of the picture from 0 to 1";
   }
   if (is_box && (numbers[2] <= 0 || numbers[3] <= 0)) return "the box is empty";
+  if (is_polygon && !HasArea(FromPolygon(numbers))) return "the polygon has no area";
   return "";
 }
 

@@ -29,7 +29,8 @@ struct LabelledSet {
   std::vector<LabelledPicture> pictures;
 };
 
-/// Reads DIR/images/SET (empty: all of DIR/images). Class names stand in DIR/classes.txt, DIR/data.yaml, or are COCO's.
+/// Reads DIR/images/SET (empty: all of DIR/images). Class names stand in DIR/classes.txt,
+/// DIR/data.yaml or DIR/labels/classes.txt, or are COCO's, with a warning.
 /// A picture whose label file is empty or missing has nothing in it; bad input names file and line.
 Result<LabelledSet> ReadLabelledSet(const std::string& folder, const std::string& set);
 

@@ -46,7 +46,7 @@ TEST(LabelFile, AnyOtherLineIsNamed) {
   for (const char* bad :
        {"7 0.5 0.5 0.1 0.1", "1 0.5 0.5 0.1 0.1", "-1 0.5 0.5 0.1 0.1", "0 28 20 8 8", "0.5 0.5 0.1 0.1",
         "person 0.5 0.5 0.1 0.1", "0,0.5,0.5,0.1,0.1", "0 nan 0.5 0.1 0.1", "0 0.5 0.5 0 0.1", "0 0.5 0.5 0.1 0.1 0.9",
-        "0 0.1 0.2 0.3 0.4 0.5 0.6 0.7", "0 0.5 0.5 inf 0.1"}) {
+        "0 0.1 0.2 0.3 0.4 0.5 0.6 0.7", "0 0.5 0.5 inf 0.1", "0 0.1 0.1 0.2 0.1 0.3 0.1"}) {
     const auto boxes = Labels(good + bad + "\n");
     ASSERT_FALSE(boxes) << bad;
     EXPECT_THAT(boxes.error().message, AllOf(HasSubstr("a.txt"), HasSubstr("line 2")));
@@ -72,9 +72,16 @@ TEST(ClassList, IsReadInItsFourForms) {
   EXPECT_EQ(*read("data.yaml", "names: [person, dining table]  # two\n"), wanted);
   EXPECT_EQ(*read("data.yaml", "names: {0: person, 1: dining table}\n"), wanted);
   EXPECT_EQ(*read("data.yaml", "names: [person,\n  dining table]\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "names: ['driver''s seat', 'cup #1']\n"), (Names{"driver's seat", "cup #1"}));
+  EXPECT_EQ(*read("data.yaml", "old:\n  names: [x, y]\nnames:\n  [person,  # she\n   dining table]\n"), wanted);
+  EXPECT_EQ(*read("data.yaml", "names : {'1': dining table, '0': person}\n"), wanted);
+  EXPECT_EQ(*read("classes.txt", "0: person\n1: dining table\n"), wanted);
+  EXPECT_EQ(*read("labels/classes.txt", "person\ndining table\n"), wanted) << "as LabelImg writes it";
   EXPECT_EQ(read("unrelated.txt", "")->size(), 80u);
   EXPECT_EQ(*read("classes.txt", "0 person\n2 cup\n"), (Names{"person", "", "cup"}));
   EXPECT_THAT(read("classes.txt", "0 person\n0 cup\n").error().message, HasSubstr("line 2"));
+  EXPECT_THAT(read("data.yaml", "nc: 2\nnames: ['a' 'b']\n").error().message, HasSubstr("line 2"));
+  EXPECT_THAT(read("data.yaml", "nc: 2\nnames: person\n").error().message, HasSubstr("line 2"));
   EXPECT_THAT(read("data.yaml", "nc: 2\n").error().message, HasSubstr("names"));
   EXPECT_THAT(read("classes.txt", "").error().message, HasSubstr("classes.txt"));
 }

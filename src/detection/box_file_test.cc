@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/log.h"
 #include "detection/file_detector.h"
 #include "detection/motion_category.h"
 #include "detection/test_network_folder.h"
@@ -110,7 +111,24 @@ TEST(FileDetector, AFrameWithoutALineWasNotLookedAt) {
   const auto detector = FileDetector::Make(*file, {At("1"), At("2")});
   ASSERT_TRUE(detector);
   EXPECT_TRUE((*detector)->Detect(FrameAt(At("1")))->has_looked);
+  EXPECT_TRUE((*detector)->Detect(FrameAt(At("1")))->says_nobody);
   EXPECT_FALSE((*detector)->Detect(FrameAt(At("2")))->has_looked);
+  EXPECT_FALSE((*detector)->Detect(FrameAt(At("2")))->says_nobody);
+}
+
+TEST(FileDetector, BoxesOutsideOfThePictureAreToldOfOnce) {
+  const auto file = Read("1 700 500 900 800 9\n2 700 500 900 800 9\n");
+  const auto detector = FileDetector::Make(*file, {At("1"), At("2")});
+  ASSERT_TRUE(detector);
+  ASSERT_TRUE(StartLog({.keeps_text = true}).ok());
+  for (const char* time : {"1", "2"}) {
+    const auto found = (*detector)->Detect(FrameAt(At(time)));
+    EXPECT_TRUE(found->boxes.empty());
+    EXPECT_FALSE(found->says_nobody) << "somebody was meant";
+  }
+  EXPECT_THAT(LogText(), HasSubstr("640x480"));
+  EXPECT_EQ(LogText().find("outside"), LogText().rfind("outside"));
+  EXPECT_TRUE(StopLog().ok());
 }
 
 TEST(FileDetector, AFileOfAnotherRecordingIsRefused) {

@@ -173,6 +173,15 @@ ObjectnessRead ObjectnessOf(int64_t num_channels, const DecodeOptions& options) 
   return read;
 }
 
+bool HaveClassNumbers(const TensorView& rows) {
+  constexpr float kOff = 1e-3f;
+  for (int64_t i = 0; i < rows.dims[1]; ++i) {
+    const float label = rows.At(0, i, 5);
+    if (!(std::abs(label - std::round(label)) <= kOff)) return false;
+  }
+  return true;
+}
+
 bool LookLikeLogits(const std::vector<TensorView>& outputs, const HeadLayout& layout) {
   for (const RawMap& map : layout.maps) {
     const TensorView& output = outputs[map.output];

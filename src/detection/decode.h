@@ -33,6 +33,10 @@ struct ObjectnessRead {
 };
 ObjectnessRead ObjectnessOf(int64_t num_channels, const DecodeOptions& options);
 
+/// Whether the last number of each end-to-end row is whole: the shape alone does not say so (RT-DETR with two classes
+/// has rows of six, too).
+bool HaveClassNumbers(const TensorView& rows);
+
 /// Whether numbers of raw maps are logits: sigmoids never leave 0 to 1.
 bool LookLikeLogits(const std::vector<TensorView>& outputs, const HeadLayout& layout);
 

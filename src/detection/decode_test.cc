@@ -80,6 +80,14 @@ TEST(Decode, EndToEndHasCornersScoreAndClass) {
   ExpectBox(boxes[0], {1, 2, 11, 22, 0.9f, 3});
 }
 
+TEST(Decode, ClassNumbersAreWhole) {
+  Tensor rows({1, 300, 6});
+  rows.numbers[5] = 3;
+  EXPECT_TRUE(HaveClassNumbers(rows.View()));
+  rows.numbers[11] = 0.4f;  // a score
+  EXPECT_FALSE(HaveClassNumbers(rows.View()));
+}
+
 TEST(Decode, NumbersThatAreNoneAreLeftOut) {
   Tensor rows({1, 252, 7});
   for (size_t i = 0; i < 7; ++i) rows.numbers[i] = NAN;

@@ -18,8 +18,9 @@ namespace yorb {
 
 /// What a detector has to say of one picture.
 struct Detections {
-  bool has_looked = true;  ///< false: nobody looked at this picture (a box file without a line for it)
-  std::vector<Box> boxes;  ///< by falling confidence; none: nothing is there
+  bool has_looked = true;    ///< false: nobody looked at this picture (a box file without a line for it)
+  std::vector<Box> boxes;    ///< by falling confidence; none: nothing is there
+  bool says_nobody = false;  ///< a box file that lists none: what was seen before is gone, and not missed
 };
 
 /// Finds things in pictures.

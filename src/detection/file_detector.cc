@@ -42,6 +42,7 @@ Error NoneFits(const BoxFile& file, const std::vector<Timestamp>& frames) {
 
 Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, const std::vector<Timestamp>& frames) {
   std::unique_ptr<FileDetector> detector(new FileDetector());
+  detector->path_ = file.path;
   detector->names_all_ = file.names_all;
   size_t num_matched = 0;
   for (const TimedBoxes& moment : file.moments) {
@@ -74,10 +75,19 @@ Result<Detections> FileDetector::Detect(const ImageSet& images) {
   const auto found = by_frame_.find(images.timestamp);
   Detections detections;
   detections.has_looked = names_all_ || found != by_frame_.end();
+  detections.says_nobody = detections.has_looked && (found == by_frame_.end() || found->second.empty());
   if (found == by_frame_.end()) return detections;
   for (const Box& whole : found->second) {
     const Box box = Cut(whole, images.grey.cols, images.grey.rows);
-    if (HasArea(box)) detections.boxes.push_back(box);
+    if (HasArea(box)) {
+      detections.boxes.push_back(box);
+    } else if (!has_told_of_outside_) {
+      has_told_of_outside_ = true;
+      LogWarning("boxes-outside", path_ + ": a box for the picture of " + ToString(images.timestamp) +
+                                      " lies outside of its " + std::to_string(images.grey.cols) + "x" +
+                                      std::to_string(images.grey.rows) +
+                                      " pixels; such boxes are left out (were they made on larger pictures?)");
+    }
   }
   return detections;
 }

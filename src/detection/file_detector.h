@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "detection/box_file.h"
@@ -25,8 +26,10 @@ class FileDetector : public Detector {
  private:
   FileDetector() = default;
 
+  std::string path_;
   std::map<Timestamp, std::vector<Box>> by_frame_;
   bool names_all_ = false;
+  bool has_told_of_outside_ = false;
   size_t num_unmatched_ = 0;
 };
 

@@ -26,6 +26,15 @@ bool IsNumberOfCells(int64_t count, const HeadFacts& facts) {
   });
 }
 
+/// Rows of six that are no end-to-end rows: one class and objectness, a row a cell (YOLOv6, YOLOX) or three at two
+/// strides (YOLOv3-tiny), or YOLOv8's two classes turned round. Read as corners they would be nonsense.
+bool AreSixOfAnotherNetwork(int64_t num_rows, const HeadFacts& facts) {
+  const int64_t cells_of_two =
+      int64_t{facts.width / 16} * (facts.height / 16) + int64_t{facts.width / 32} * (facts.height / 32);
+  if (IsNumberOfCells(num_rows, facts)) return facts.num_names <= 2;
+  return num_rows == kAnchors * cells_of_two && facts.num_names <= 1;
+}
+
 /// How many numbers stand behind the class scores: the coefficients of a segmentation network, which has that many
 /// maps at a quarter of the size as another output; the points of a pose network.
 int64_t NumExtras(const HeadFacts& facts) {
@@ -56,7 +65,8 @@ std::optional<HeadLayout> FromRows(size_t output, const HeadFacts& facts) {
     return take(LayoutKind::kAnchorRows, shape[2] - 5 - extras);
   if (IsNumberOfCells(shape[2], facts) && AgreesWithNames(shape[1] - 4 - extras, facts))
     return take(LayoutKind::kCentreColumns, shape[1] - 4 - extras);
-  if (shape[2] == 6 && extras == 0) return take(LayoutKind::kCornerRows, facts.num_names);
+  if (shape[2] == 6 && extras == 0 && !AreSixOfAnotherNetwork(shape[1], facts))
+    return take(LayoutKind::kCornerRows, facts.num_names);
   return std::nullopt;
 }
 

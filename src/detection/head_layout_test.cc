@@ -36,6 +36,13 @@ TEST(HeadLayout, SixColumnsAreOneClassOrEndToEnd) {
   ExpectLayout(Facts({{1, 252, 6}}, 10), LayoutKind::kCornerRows, 10);
   ExpectLayout(Facts({{1, 300, 6}}, 10), LayoutKind::kCornerRows, 10);
   ExpectLayout(Facts({{1, 300, 6}}, 0), LayoutKind::kCornerRows, 0);
+  ExpectLayout(Facts({{1, 84, 6}}, 10), LayoutKind::kCornerRows, 10);
+  for (const int num_names : {0, 1, 2}) {
+    EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 6}}, num_names))) << "a row a cell: YOLOv6's, or YOLOv8's turned round";
+  }
+  for (const int num_names : {0, 1}) {
+    EXPECT_FALSE(RecogniseLayout(Facts({{1, 60, 6}}, num_names))) << "YOLOv3-tiny has two strides";
+  }
   ExpectLayout(Facts({{1, 5, 84}}, 1), LayoutKind::kCentreColumns, 1);
   ExpectLayout(Facts({{1, 6, 84}}, 2), LayoutKind::kCentreColumns, 2);
 }

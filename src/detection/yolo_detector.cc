@@ -164,6 +164,10 @@ Result<Detections> YoloDetector::Detect(const ImageSet& images) {
   const Letterbox fit = FitLetterbox(images.grey.size(), (*shaped)->size());
   const auto outputs = engine->Run(InputOf(images, fit, input.channels));
   if (!outputs) return outputs.error();
+  if (layout.kind == LayoutKind::kCornerRows && !HaveClassNumbers((*outputs)[layout.output]))
+    return BadInput(input.path + " is no detector that is read: the last numbers of its rows, " +
+                    ShapeText((*outputs)[layout.output].dims) +
+                    ", are no classes; end-to-end rows are corners, confidence and class number");
   const double most_overlap = layout.kind == LayoutKind::kCornerRows ? 1.0 : options_.most_overlap;
   Detections detections;
   for (const RawBox& raw : SuppressDoubles(DecodeBoxes(*outputs, layout, decode_), most_overlap, kMostBoxes)) {
