@@ -103,6 +103,7 @@ void BoxTracks::Update(Timestamp now, const SeenAt& looked, const MotionTable& t
   MoveTo(now, width, height);
   if (looked.seen.has_looked) {
     last_look_ = now;
+    if (looked.seen.says_nobody) tracks_.clear();
     Match(now, looked.at, SortByMotion(looked.seen.boxes, table));
     last_look_of_ = looked.at;
   } else if (SecondsBetween(last_look_of_, now) <= kSeenForS) {

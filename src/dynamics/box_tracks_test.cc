@@ -39,6 +39,12 @@ TEST_F(BoxTracksTest, AMissedBoxMovesOnForAWhile) {
   EXPECT_EQ(Count(), 0u);
 }
 
+TEST_F(BoxTracksTest, WhoIsSaidToBeGoneIsNotBridged) {
+  for (int i = 0; i < 10; ++i) See(i, {Walker(i)});
+  Tell(10, {{true, {}, true}, FrameTime(10)});
+  EXPECT_EQ(Count(), 0u);
+}
+
 TEST_F(BoxTracksTest, AFaintBoxContinuesButBeginsNothing) {
   BoxTracks tracks(0.25);
   const auto see = [&](int i, Box box, double confidence) {

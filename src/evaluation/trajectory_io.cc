@@ -102,6 +102,10 @@ Result<Layout> FindLayout(const TextFile& file, TrajectoryFormat format) {
   if (format == TrajectoryFormat::kKitti) layout.columns.count = kKittiColumns;
   if (format == TrajectoryFormat::kEuroc) {
     if (count < 8) return BadInput(file.Where(line) + ": " + Count(count) + " where EuRoC's CSV has 8 or more");
+    const std::string stamp(SplitColumns(line.text)[0]);
+    if (!ParseInteger(stamp))
+      return BadInput(file.Where(line) + ": '" + stamp.substr(0, 40) +
+                      "' is no whole number of nanoseconds, as EuRoC's are; TUM's format is read with --format tum");
     layout.columns = EurocColumns(count);
   }
   return layout;

@@ -80,6 +80,10 @@ TEST(TrajectoryIo, EurocByItsHeaderOrByName) {
   ExpectPlain(by_header);
   ExpectPlain(ReadTrajectoryFile(TestFile("b.csv", kEurocRows), TrajectoryFormat::kEuroc));
   EXPECT_THAT(Refusal(kEurocRows), HasSubstr("--format euroc"));
+  const auto seconds = ReadTrajectoryFile(TestFile("c.txt", "1305031102.175304 1.5 -2.25 3.125 0 0 0.6 0.8\n"),
+                                          TrajectoryFormat::kEuroc);
+  ASSERT_FALSE(seconds);
+  EXPECT_THAT(seconds.error().message, testing::AllOf(testing::HasSubstr("line 1"), HasSubstr("--format tum")));
 }
 
 TEST(TrajectoryIo, KittiByNameAlone) {

@@ -12,8 +12,8 @@
 namespace yorb {
 namespace {
 
-/// Movement below this share of the distance from the origin (or of a metre, where that is more) is rounding.
-constexpr double kStill = 1e-8;
+/// Movement below so many metres, or below this share of the distance from the origin, is rounding.
+constexpr double kStillM = 1e-8, kStill = 1e-14;
 /// Width over length below which points count as a line: it turns the cloud by more than its own noise would show.
 constexpr double kThin = 1e-4;
 
@@ -34,7 +34,7 @@ Eigen::Matrix3d Covariance(const std::vector<Eigen::Vector3d>& a, const Eigen::V
 AlignDegeneracy ShapeOf(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& centroid) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
   const Eigen::Vector3d spread = solver.eigenvalues().cwiseMax(0).cwiseSqrt();  // rising
-  if (spread(2) <= kStill * std::max(1.0, centroid.norm())) return AlignDegeneracy::kOnePlace;
+  if (spread(2) <= std::max(kStillM, kStill * centroid.norm())) return AlignDegeneracy::kOnePlace;
   return spread(1) <= kThin * spread(2) ? AlignDegeneracy::kLine : AlignDegeneracy::kNone;
 }
 

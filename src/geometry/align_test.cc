@@ -111,6 +111,18 @@ TEST(Align, ALineIsNamedAndItsResidualIsRight) {
   EXPECT_NEAR(residual, 0.01, 1e-5);
 }
 
+TEST(Align, AMapFarFromTheOriginMovesAsItDoesNearIt) {
+  const Eigen::Vector3d northing(5e5, 1e7, 100);  // UTM on the southern hemisphere
+  Points source, target;
+  for (int i = 0; i < 90; ++i) {
+    source.emplace_back(0.001 * i, 0.002 * std::sin(0.1 * i), 0.001 * std::cos(0.2 * i));
+    target.push_back(source.back() + northing);
+  }
+  const Alignment found = AlignPoints(source, target, AlignMode::kRigid);
+  EXPECT_EQ(found.degeneracy, AlignDegeneracy::kNone);
+  EXPECT_LT(SumOfSquares(found, source, target), 1e-12);
+}
+
 TEST(Align, OnePlaceIsNamedAndLeavesTheSpread) {
   Points moving, still;
   for (int i = 0; i < 90; ++i) {

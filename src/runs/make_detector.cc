@@ -69,7 +69,13 @@ Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
   auto vocabulary = FindVocabulary(config.places);
   if (!vocabulary) return vocabulary.error();
   parts.slam.vocabulary = *std::move(vocabulary);
-  if (config.dynamics == "off") return parts;
+  if (config.dynamics == "off") {
+    if (config.detections.empty()) return parts;
+    if (const auto file = ReadBoxFile(config.detections); !file) return file.error();
+    LogWarning("boxes-unused",
+               config.detections + " is not used: nothing is removed with --dynamics off; give full or paper");
+    return parts;
+  }
   if (config.dynamics == "exact" && config.detections.empty()) {
     return BadInput("--dynamics exact needs boxes: name their file with --detections");
   }

@@ -32,6 +32,15 @@ const cv::Scalar& ColourOf(Verdict verdict) {
   return verdict == Verdict::kGivenBack ? kYellow : kGreen;
 }
 
+/// Whether a folder holds pictures that no overlay has written: there are no points of them.
+bool HoldsOtherPictures(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (std::filesystem::exists(folder / "points.csv", ignored)) return false;
+  const auto is_picture = [](const auto& entry) { return entry.path().extension() == ".png"; };
+  const std::filesystem::directory_iterator entries(folder, ignored);
+  return std::any_of(begin(entries), end(entries), is_picture);
+}
+
 }  // namespace
 
 cv::Mat DrawJudgement(const Watched& watched) {
@@ -56,6 +65,8 @@ Result<std::shared_ptr<OverlayWriter>> OverlayWriter::Open(const std::string& fo
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return BadInput("--save-overlay: " + folder + " cannot be made: " + error.message());
+  if (HoldsOtherPictures(folder))
+    return BadInput("--save-overlay: " + folder + " holds pictures already; name another folder");
   std::shared_ptr<OverlayWriter> writer(new OverlayWriter(folder));
   if (!writer->points_.flush()) return BadInput("--save-overlay: " + folder + "/points.csv cannot be written");
   return writer;

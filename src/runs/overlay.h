@@ -19,7 +19,7 @@ cv::Mat DrawJudgement(const Watched& watched);
 /// Writes DIR/TIMESTAMP.png for each picture, and DIR/points.csv: `timestamp,x,y,level,verdict`.
 class OverlayWriter {
  public:
-  /// Bad input where the folder cannot be made or written.
+  /// Bad input where the folder cannot be made or written, or holds other pictures.
   static Result<std::shared_ptr<OverlayWriter>> Open(const std::string& folder);
 
   void Write(const Watched& watched);

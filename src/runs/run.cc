@@ -61,7 +61,7 @@ RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& repor
   metrics.stage_ms["read"] = fed.read_ms;
   metrics.seed = run.options.config.seed;
   metrics.mode = run.options.config.mode;
-  metrics.config_digest = ConfigDigest(run.options.config, run.camera_text);
+  metrics.config_digest = ConfigDigest(WithWholePaths(run.options.config), run.camera_text);
   return metrics;
 }
 
@@ -80,25 +80,28 @@ void RemoveFurther(const std::string& folder, size_t num_submaps) {
   }
 }
 
-/// Writes all files of the run folder; nothing in it is replaced before all could be written.
+/// Writes all files of the run folder: first the results, then what tells of them, so that a disk that is nearly full
+/// takes the trajectory. Nothing is replaced before all that belongs together could be written.
 Status Save(const Run& run, const FeedLog& fed, const SlamReport& report) {
   const std::vector<FrameRow> rows = FrameRows(run.dataset, fed.fates, report.frames);
   const RunMetrics metrics = MetricsOf(run, fed, report, rows.size());
   const auto in_folder = [&](const std::string& name) { return InRunFolder(run.out, name); };
-  std::vector<FileToWrite> files = {
-      {in_folder("config.yaml"), ConfigText(run.options.config, run.camera_text)},
-      {in_folder("frames.csv"), FramesCsv(rows)},
-      {in_folder("report.html"), ReportHtml(ReportOf(run.options, metrics, rows, report))},
-      {in_folder("log.txt"), LogText()},
+  std::vector<FileToWrite> results = {
+      {in_folder("config.yaml"), ConfigText(WithWholePaths(run.options.config), run.camera_text)},
       {in_folder("metrics.json"), MetricsJson(metrics)},
   };
   for (size_t i = 0; i < report.submaps.size(); ++i) {
-    files.push_back({in_folder(NumberedName("trajectory", i + 1)), TumText(report.submaps[i].trajectory)});
-    files.push_back({in_folder(NumberedName("keyframes", i + 1)), TumText(report.submaps[i].keyframes)});
+    results.push_back({in_folder(NumberedName("trajectory", i + 1)), TumText(report.submaps[i].trajectory)});
+    results.push_back({in_folder(NumberedName("keyframes", i + 1)), TumText(report.submaps[i].keyframes)});
   }
-  const Status status = WriteFilesTogether(files);
-  if (status) RemoveFurther(run.out, report.submaps.size());
-  return status;
+  const Status status = WriteFilesTogether(results);
+  if (!status) return status;
+  RemoveFurther(run.out, report.submaps.size());
+  return WriteFilesTogether({
+      {in_folder("frames.csv"), FramesCsv(rows)},
+      {in_folder("log.txt"), LogText()},
+      {in_folder("report.html"), ReportHtml(ReportOf(run.options, metrics, rows, report))},
+  });
 }
 
 /// Saves while the run goes on. A failure is not the end: the disk may have room again by then.

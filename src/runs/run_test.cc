@@ -167,13 +167,26 @@ TEST_F(Runs, ThatCannotBeginLeaveAnOlderRunAlone) {
 TEST_F(Runs, ThatCannotBeWrittenSayWhichFileAndLeaveTheOldOnes) {
   ASSERT_TRUE(WriteFileWhole(out_ + "/trajectory.txt", "old").ok());
   RunHooks hooks;  // somebody puts a folder in the way while the run goes on
-  hooks.on_progress = [&](const RunProgress&) { std::filesystem::create_directories(out_ + "/frames.csv.part/full"); };
+  hooks.on_progress = [&](const RunProgress&) {
+    std::filesystem::create_directories(out_ + "/keyframes.txt.part/full");
+  };
   const auto summary = RunSequence(WallDataset(5), Options("inline"), hooks);
   ASSERT_TRUE(summary.ok());
   ASSERT_TRUE(summary->error.has_value());
   EXPECT_EQ(summary->error->kind, Error::Kind::kFailure);
-  EXPECT_THAT(summary->error->message, HasSubstr("frames.csv"));
+  EXPECT_THAT(summary->error->message, HasSubstr("keyframes.txt"));
   EXPECT_EQ(Text("trajectory.txt"), "old");
+}
+
+TEST_F(Runs, HaveTheirTrajectoryThoughTheReportDoesNotFit) {
+  RunHooks hooks;
+  hooks.on_progress = [&](const RunProgress&) { std::filesystem::create_directories(out_ + "/report.html.part/full"); };
+  const auto summary = RunSequence(WallDataset(5), Options("inline"), hooks);
+  ASSERT_TRUE(summary.ok());
+  ASSERT_TRUE(summary->error.has_value());
+  EXPECT_THAT(summary->error->message, HasSubstr("report.html"));
+  EXPECT_THAT(Text("trajectory.txt"), HasSubstr("\n"));
+  EXPECT_THAT(Text("metrics.json"), HasSubstr("coverage"));
 }
 
 TEST_F(Runs, LiveGoAtThePaceOfTheTimeStampsButWaitNoLongerThanASecond) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <set>
@@ -17,7 +18,14 @@
 namespace yorb {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* kCameraGroup = "camera";
+
+bool IsPath(const std::string& key) {
+  static const std::set<std::string> paths{"masks", "detections", "load_map", "detection.model", "places.vocabulary"};
+  return paths.count(key) > 0;
+}
 
 /// The known key that a misspelt one most likely means; a key without its group is looked for as well.
 std::string NearestKey(const std::string& key) {
@@ -75,7 +83,7 @@ class Flattener {
     if (value.IsSequence()) return BadInput(origin + ": " + key + " is a list; one value is expected");
     if (value.IsNull() && IsGroup(key)) return Status::Ok();  // a group whose keys are all commented out
     if (!value.IsScalar()) return BadInput(origin + ": " + key + " has no value");
-    file_.settings.push_back({key, value.Scalar(), origin});
+    file_.settings.push_back({key, IsPath(key) ? BesideFile(value.Scalar()) : value.Scalar(), origin});
     return Status::Ok();
   }
 
@@ -84,6 +92,12 @@ class Flattener {
     const auto first = group.begin();
     const bool is_named = first != group.end() && first->first.IsScalar();
     return UnknownKey({is_named ? key + "." + first->first.Scalar() : key, "", origin});
+  }
+
+  /// Paths are relative to the file that names them.
+  std::string BesideFile(const std::string& path) const {
+    if (path.empty() || fs::path(path).is_absolute()) return path;
+    return (fs::path(path_).parent_path() / path).string();
   }
 
   std::string path_;
@@ -190,6 +204,16 @@ std::string ConfigText(const Config& config, const std::string& camera_text) {
   }
   if (!camera_text.empty()) text += std::string(kCameraGroup) + ":\n" + Indented(camera_text);
   return text;
+}
+
+Config WithWholePaths(Config config) {
+  std::error_code ignored;
+  for (const ConfigField& field : FieldsOf(config)) {
+    if (!IsPath(field.key) || field.text.empty()) continue;
+    const std::string whole = fs::absolute(field.text, ignored).lexically_normal().string();
+    if (!ignored) field.set(whole);
+  }
+  return config;
 }
 
 std::string ConfigDigest(const Config& config, const std::string& camera_text) {

@@ -42,6 +42,9 @@ Status ValidateConfig(const Config& config);
 /// the same values to the bit.
 std::string ConfigText(const Config& config, const std::string& camera_text);
 
+/// The same with every path from the root, so that it means the same wherever it is read.
+Config WithWholePaths(Config config);
+
 /// Sixteen hexadecimal digits that are equal for equal values of everything in ConfigText.
 std::string ConfigDigest(const Config& config, const std::string& camera_text);
 

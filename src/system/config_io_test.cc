@@ -87,6 +87,22 @@ TEST_F(ConfigIo, OnlyWhatTheFileNamesIsChanged) {
   EXPECT_EQ(ConfigText(*config, ""), ConfigText(expected, ""));
 }
 
+TEST_F(ConfigIo, PathsAreRelativeToTheFileThatNamesThem) {
+  const auto config = Read("masks: ../m/arm.png\nload_map: /maps/a.map\nplaces:\n  vocabulary: own.yvoc\n");
+  ASSERT_TRUE(config.ok()) << config.error().message;
+  EXPECT_EQ(config->masks, (folder_ / "../m/arm.png").string());
+  EXPECT_EQ(config->load_map, "/maps/a.map");
+  EXPECT_EQ(config->places.vocabulary, (folder_ / "own.yvoc").string());
+  EXPECT_EQ(config->detections, "");
+
+  Config typed;
+  typed.detections = "../people.txt";
+  const Config whole = WithWholePaths(typed);
+  EXPECT_TRUE(std::filesystem::path(whole.detections).is_absolute());
+  EXPECT_EQ(whole.masks, "") << "no path at all";
+  EXPECT_EQ(Read(ConfigText(whole, ""))->detections, whole.detections) << "the same wherever it is read";
+}
+
 TEST_F(ConfigIo, EmptyFilesChangeNothing) {
   for (const char* text : {"", "# nothing\n", "---\n", "%YAML:1.0\n---\n"}) {
     const auto config = Read(text);
