@@ -74,6 +74,11 @@ std::string NameOf(const std::string& folder) {
   return error || path.filename().empty() ? folder : path.filename().string();
 }
 
+/// Whether boxes of people.txt were asked for by name.
+bool WantsBoxes(const DynamicArguments& arguments) {
+  return std::count(arguments.ways.begin(), arguments.ways.end(), "full-exact") > 0;
+}
+
 Result<Opened> OpenAll(const DynamicArguments& arguments) {
   Opened opened;
   for (const std::string& folder : arguments.sequences.places) {
@@ -89,9 +94,11 @@ Result<Opened> OpenAll(const DynamicArguments& arguments) {
       if (other.name == name)
         return BadInput("two sequences are called " + name + "; rename a folder, or name it once");
     }
+    const std::string boxes = Beside(folder, "people.txt");
+    if (boxes.empty() && WantsBoxes(arguments))
+      return BadInput(folder + " has no people.txt with the boxes that --way full-exact needs");
     opened.config = sequence->config;
-    opened.sequences.push_back(
-        {name, sequence->dataset.get(), *std::move(truth), Beside(folder, "people.txt"), Beside(folder, "mask")});
+    opened.sequences.push_back({name, sequence->dataset.get(), *std::move(truth), boxes, Beside(folder, "mask")});
     opened.open.push_back(*std::move(sequence));
   }
   return opened;

@@ -150,7 +150,8 @@ void WarnOfMissingMap(const Run& run, const FeedLog& fed, const SlamReport& repo
   if (!fed.had_depth || report.num_keyframes > 0) return;
   LogWarning("no-map", "no map began: none of the " + std::to_string(report.frames.size()) + " frames shows " +
                            std::to_string(run.options.config.tracking.min_first_points) +
-                           " corners with depth; is the picture black, blank or very small?");
+                           " corners with depth; is the picture black, blank or very small" +
+                           (run.options.config.masks.empty() ? "?" : ", or all of it masked?"));
 }
 
 /// The map into its file, whatever the end of the run is.
