@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iostream>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <string>
@@ -43,6 +44,7 @@ void CalmLibraries() {
   cv::setNumThreads(1);
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
+  std::cerr.rdbuf(nullptr);  // where OpenCV tells of pictures that it cannot decode; we write to stderr itself
 }
 
 /// The subcommand that the command line got as far as.

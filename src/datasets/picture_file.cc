@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -117,6 +118,9 @@ cv::Mat DecodeByOpenCv(const std::string& bytes) {
 }  // namespace
 
 StoredPicture ReadPictureFile(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    return {{}, "is no regular file"};  // a named pipe would never open
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream ? static_cast<std::streamoff>(stream.tellg()) : -1;
   if (size < 0 || size > kLargestFile) return {{}, "cannot be opened"};

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -114,6 +115,8 @@ TEST(PictureFile, WhatIsNoPictureIsSaid) {
   EXPECT_THAT(ReadPictureFile(folder.Path("lfs.png")).fault, HasSubstr("LFS"));
   EXPECT_THAT(ReadPictureFile(folder.Path("gone.png")).fault, HasSubstr("opened"));
   EXPECT_NE(ReadPictureFile(folder.Path()).fault, "");
+  ASSERT_EQ(::mkfifo(folder.Path("pipe.png").c_str(), 0600), 0);
+  EXPECT_THAT(ReadPictureFile(folder.Path("pipe.png")).fault, HasSubstr("regular"));
 }
 
 TEST(ColourAndGrey, EveryUsualKindIsTheSamePicture) {
