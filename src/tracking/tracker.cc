@@ -43,8 +43,7 @@ bool IsSamePicture(const Frame& a, const Frame& b) {
 
 Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, Sight sight) {
   sight_ = std::move(sight);
-  const bool begins = state_ == TrackingState::kNotInitialized || starts_over_;
-  Tracked tracked = begins ? Begin(frame, map) : TrackInMap(frame, map, backlog);
+  Tracked tracked = state_ == TrackingState::kNotInitialized ? Begin(frame, map) : TrackInMap(frame, map, backlog);
   tracked.record.id = frame->id;
   tracked.record.timestamp = frame->timestamp;
   tracked.record.state = state_;
@@ -89,6 +88,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   ++frames_since_proposal_;
   if (!located) {
     NoteLoss(*frame, sought.was_refused);
+    if (starts_over_) return Begin(raw_frame, map);
     tracked.starts_over = starts_over_ = IsTimeForANewMap(*frame, backlog);
     return tracked;
   }
@@ -325,6 +325,7 @@ void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
     lost_since_ = frame.timestamp;
   }
   state_ = TrackingState::kTracking;
+  starts_over_ = false;
   sought_since_.reset();
 }
 

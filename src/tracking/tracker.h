@@ -26,7 +26,8 @@ struct Tracked {
   FrameRecord record;
   std::optional<Proposal> proposal;
   std::vector<Keypoint> moving;  ///< points that were left out since geometry says that they move
-  /// The camera was lost for too long: the next frame that is given begins a sub-map. It may be an earlier one.
+  /// The camera was lost for too long: the next frame that is not found in the map, which may be an earlier one, begins
+  /// a sub-map.
   bool starts_over = false;
 };
 
@@ -142,7 +143,7 @@ class Tracker {
   std::optional<Timestamp> sought_since_;  ///< the first frame since the last confirmed one that showed something
   int frames_since_proposal_ = 0;
   bool was_lost_ = false;
-  bool starts_over_ = false;  ///< lost for too long: the next frame that shows enough begins a sub-map
+  bool starts_over_ = false;  ///< lost for too long: the next one that shows enough begins a sub-map
 };
 
 }  // namespace yorb
