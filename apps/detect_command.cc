@@ -138,12 +138,10 @@ class BoxOutput {
     fs::path name = picture.name;
     const bool is_jpeg = name.extension() == ".jpg" || name.extension() == ".jpeg";
     if (!is_jpeg) name.replace_extension(".png");
-    const fs::path first = name;
-    for (int number = 2; !written_.insert(name.string()).second; ++number)
-      name = first.parent_path() / (first.stem().string() + "_" + std::to_string(number) + first.extension().string());
     std::vector<unsigned char> bytes;
     cv::imencode(is_jpeg ? ".jpg" : ".png", DrawBoxes(picture.pixels, boxes), bytes);
-    return WriteFileWhole((fs::path(*save_) / name).string(), std::string(bytes.begin(), bytes.end()));
+    return WriteFileWhole(UntakenPath((fs::path(*save_) / name).string(), written_),
+                          std::string(bytes.begin(), bytes.end()));
   }
 
   bool wants_json_;

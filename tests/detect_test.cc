@@ -106,6 +106,9 @@ TEST_F(Detect, BadInputIsRefusedInOneLine) {
   ExpectRefused("--conf", "set/images --model net.onnx --conf 2 --json");
   ExpectRefused("--iou", "set/images --model net.onnx --iou x --json");
   ExpectRefused("--save", "set/images --model net.onnx --save /proc/nowhere --json");
+  ExpectRefused("where the pictures are", "set/images --model net.onnx --save set/images --json");
+  ExpectRefused("where the pictures are", "set/images/0.png --model net.onnx --save ./set/../set/images --json");
+  ExpectRefused("--set requires --evaluate", "set/images --model net.onnx --set val --json");
   ExpectRefused("--evaluate", "set/images --model net.onnx --evaluate set --json");
   ExpectRefused("no folder", "--model net.onnx --evaluate set --set val --json");
 }

@@ -117,6 +117,13 @@ TEST_F(Program, WrongCommandLinesAreRefusedInOneLineWithTheNearestKnownWord) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST_F(Program, WhatWasAskedForIsNotLeftOutInSilence) {
+  const std::string room = In("room"), out = In("asked");
+  ExpectRefused("no_boxes.txt", {"run", room, "--detections", "no_boxes.txt", "--out", out});
+  ExpectRefused("holds pictures", {"run", room, "--save-overlay", room + "/rgb", "--out", out});
+  ExpectRefused("people.txt", {"bench", "dynamic", room, "--way", "full-exact"});
+}
+
 TEST_F(Program, AnUnusableOutputFolderIsRefusedBeforeAnyWork) {
   ASSERT_TRUE(WriteFileWhole(In("plain"), "mine").ok());
   ExpectRefused("plain", {"run", In("room"), "--out", In("plain")});

@@ -74,4 +74,14 @@ Status WriteFilesTogether(const std::vector<FileToWrite>& files) {
   return first;
 }
 
+std::string UntakenPath(const std::string& path, std::set<std::string>& taken) {
+  const std::filesystem::path first = path;
+  std::string untaken = path;
+  for (int number = 2; !taken.insert(untaken).second; ++number) {
+    const std::string name = first.stem().string() + "_" + std::to_string(number) + first.extension().string();
+    untaken = (first.parent_path() / name).string();
+  }
+  return untaken;
+}
+
 }  // namespace yorb

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace yorb {
 /// Writes `content` beside `path` and renames it into place, so that a reader, a crash or a full disk sees the old
 /// file or the new one, whole. Missing parent folders are made. Failure names the file and the system's reason.
 Status WriteFileWhole(const std::string& path, const std::string& content);
+
+/// A path for one more file: `path` itself, or with a number behind its stem, a/x_2.jpg, where that is among `taken`;
+/// what it gives is taken from then on.
+std::string UntakenPath(const std::string& path, std::set<std::string>& taken);
 
 /// One file to be written.
 struct FileToWrite {

@@ -34,6 +34,16 @@ TEST_F(Files, AreWrittenWithTheirParentsAndReplaced) {
   EXPECT_EQ(Text("a/b/c.txt"), "two");
 }
 
+TEST(UntakenPath, CountsUntilNoOtherHasTheName) {
+  std::set<std::string> taken;
+  EXPECT_EQ(UntakenPath("a/x.jpg", taken), "a/x.jpg");
+  EXPECT_EQ(UntakenPath("a/x.jpg", taken), "a/x_2.jpg");
+  EXPECT_EQ(UntakenPath("a/x.jpg", taken), "a/x_3.jpg");
+  EXPECT_EQ(UntakenPath("b/x.jpg", taken), "b/x.jpg");
+  EXPECT_EQ(UntakenPath("x.png", taken), "x.png");
+  EXPECT_EQ(UntakenPath("x.png", taken), "x_2.png");
+}
+
 TEST_F(Files, LeaveNoDraftsBehind) {
   ASSERT_TRUE(WriteFilesTogether({{folder_ + "a", "1"}, {folder_ + "b", "2"}}).ok());
   EXPECT_EQ(Count(), 2u);

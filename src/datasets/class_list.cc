@@ -68,7 +68,7 @@ Result<Names> NamesOf(const YAML::Node& list, const std::string& path) {
   long long next = 0;
   for (const auto& entry : list) {
     const YAML::Node name = list.IsMap() ? entry.second : entry;
-    if (!name.IsScalar()) return BadYaml(path, list.Mark(), "the name of a class must be a word");
+    if (!name.IsScalar()) return BadYaml(path, name.Mark(), "the name of a class must be a word");
     const auto number = list.IsMap() ? ParseInteger(entry.first.IsScalar() ? entry.first.Scalar() : "") : next++;
     if (!number) return BadYaml(path, name.Mark(), "a name of names has no number before it");
     if (*number < 0 || *number >= kMostClasses)
@@ -82,14 +82,14 @@ Result<Names> NamesOf(const YAML::Node& list, const std::string& path) {
 
 /// Of a data.yaml only `names` counts; its paths are those of whoever trained.
 Result<Names> ReadDataYaml(const std::string& path) {
+  const auto text = ReadWholeText(path);
+  if (!text) return text.error();
   try {
-    const YAML::Node file = YAML::LoadFile(path);
+    const YAML::Node file = YAML::Load(*text);
     if (file.IsMap() && file["names"]) return NamesOf(file["names"], path);
     return BadInput(path + " has no names: the list of its classes");
-  } catch (const YAML::BadFile&) {
-    return BadInput(path + " cannot be read");
   } catch (const YAML::Exception& error) {
-    return BadYaml(path, error.mark, error.msg);
+    return BadYaml(path, error.mark, "no valid YAML: " + error.msg);
   }
 }
 

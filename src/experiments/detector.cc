@@ -177,7 +177,7 @@ Result<std::vector<FileToWrite>> DetectorFigures(const std::vector<std::string>&
     detectors.push_back(*std::move(detector));
   }
   std::vector<FileToWrite> files;
-  std::set<std::string> names;
+  std::set<std::string> figures;
   for (const std::string& path : pictures) {
     const auto pixels = ReadUprightPicture(path);
     if (!pixels) return pixels.error();
@@ -193,10 +193,8 @@ Result<std::vector<FileToWrite>> DetectorFigures(const std::vector<std::string>&
     cv::hconcat(seen, together);
     std::vector<unsigned char> bytes;
     cv::imencode(".png", together, bytes);
-    const std::string stem = "figure9_" + fs::path(path).stem().string();
-    std::string name = stem;
-    for (int number = 2; !names.insert(name).second; ++number) name = stem + "_" + std::to_string(number);
-    files.push_back({(fs::path(folder) / (name + ".png")).string(), std::string(bytes.begin(), bytes.end())});
+    const fs::path figure = fs::path(folder) / ("figure9_" + fs::path(path).stem().string() + ".png");
+    files.push_back({UntakenPath(figure.string(), figures), std::string(bytes.begin(), bytes.end())});
   }
   return files;
 }
