@@ -12,9 +12,9 @@
 #include "apps/picture_size.h"
 #include "apps/signals.h"
 #include "core/files.h"
-#include "datasets/picture_folder.h"
 #include "detection/yolo_detector.h"
 #include "experiments/detector.h"
+#include "pictures/picture_folder.h"
 
 namespace yorb {
 namespace {

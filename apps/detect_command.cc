@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,6 +19,8 @@
 #include "detection/box_file.h"
 #include "detection/class_names.h"
 #include "detection/yolo_detector.h"
+#include "pictures/endings.h"
+#include "pictures/picture_file.h"
 #include "runs/draw_boxes.h"
 #include "runs/judge_detector.h"
 #include "runs/picture_source.h"
@@ -136,12 +137,10 @@ class BoxOutput {
   /// Under the picture's own name, numbered where another source has one of that name.
   Status Save(const SourcePicture& picture, const std::vector<Box>& boxes) {
     fs::path name = picture.name;
-    const bool is_jpeg = name.extension() == ".jpg" || name.extension() == ".jpeg";
-    if (!is_jpeg) name.replace_extension(".png");
-    std::vector<unsigned char> bytes;
-    cv::imencode(is_jpeg ? ".jpg" : ".png", DrawBoxes(picture.pixels, boxes), bytes);
-    return WriteFileWhole(UntakenPath((fs::path(*save_) / name).string(), written_),
-                          std::string(bytes.begin(), bytes.end()));
+    if (!HasJpegEnding(picture.name)) name.replace_extension(".png");
+    const std::string path = UntakenPath((fs::path(*save_) / name).string(), written_);
+    const auto bytes = EncodePictureFor(path, DrawBoxes(picture.pixels, boxes));
+    return bytes ? WriteFileWhole(path, *bytes) : Status(bytes.error());
   }
 
   bool wants_json_;

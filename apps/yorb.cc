@@ -45,6 +45,7 @@ void CalmLibraries() {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::redirectError([](int, const char*, const char*, const char*, int, void*) { return 0; });
   std::cerr.rdbuf(nullptr);  // where OpenCV tells of pictures that it cannot decode; we write to stderr itself
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // AV_LOG_QUIET: nor ffmpeg of videos
 }
 
 /// The subcommand that the command line got as far as.

@@ -9,9 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
-#include "datasets/test_folder.h"
+#include "datasets/test_recording.h"
 #include "detection/box_file.h"
 #include "detection/test_network.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {
@@ -86,7 +87,7 @@ TEST_F(Detect, TextNamesWhatIsThereAndOnlyWhatWasAskedFor) {
   EXPECT_THAT(Call("set/images/1.png --model net.onnx").out, AllOf(HasSubstr("person"), HasSubstr("cup")));
   const Outcome outcome = Call("set/images/1.png --model net.onnx --classes Cup --save drawn");
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("cup"), testing::Not(HasSubstr("person "))));
-  EXPECT_EQ(cv::imread(folder_.Path("drawn/1.png")).size(), cv::Size(64, 64));
+  EXPECT_EQ(ReadPictureFile(folder_.Path("drawn/1.png")).pixels.size(), cv::Size(64, 64));
   ExpectRefused("cup", "set/images/1.png --model net.onnx --classes cap --json");
 }
 

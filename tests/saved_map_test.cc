@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 #include "tests/synthetic_dataset.h"
 
 namespace yorb {

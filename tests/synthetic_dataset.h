@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "camera/camera_io.h"
 #include "core/files.h"
 #include "datasets/dataset.h"
+#include "pictures/png.h"
 #include "synthetic/sequence.h"
 
 namespace yorb {
@@ -68,9 +68,9 @@ class SyntheticDataset : public Dataset {
     YORB_CHECK(status.ok(), path.c_str());
   }
   static void WritePicture(const std::string& path, const cv::Mat& picture) {
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
-    WriteText(path, std::string(bytes.begin(), bytes.end()));
+    const auto bytes = EncodePng(picture);
+    YORB_CHECK(bytes.ok(), path.c_str());
+    WriteText(path, *bytes);
   }
 
   Rig rig_;

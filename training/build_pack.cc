@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "datasets/picture_file.h"
+#include "pictures/picture_file.h"
 #include "training/class_table.h"
 #include "training/pack.h"
 #include "training/voc_labels.h"

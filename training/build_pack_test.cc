@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 #include "training/pack.h"
 
 namespace yorb {

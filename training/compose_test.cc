@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 #include "training/loader.h"
 #include "training/people.h"
 #include "training/test_shapes.h"

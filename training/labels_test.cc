@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 #include "training/label_rules.h"
 #include "training/split.h"
 #include "training/voc_labels.h"

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 #include "training/curves.h"
 #include "training/test_shapes.h"
 #include "training/trainer.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "core/files.h"
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 #include "training/test_shapes.h"
 
 namespace yorb {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "pictures/picture_file.h"
 #include "training/picture_set.h"
 
 namespace yorb {
@@ -134,7 +134,7 @@ Result<std::vector<cv::Mat>> ReadCutouts(const std::string& folder) {
   if (!files) return files.error();
   std::vector<cv::Mat> cutouts;
   for (const LabelledFile& file : *files) {
-    const cv::Mat cutout = cv::imread(file.picture, cv::IMREAD_UNCHANGED);
+    const cv::Mat cutout = ReadPictureFile(file.picture).pixels;
     if (cutout.type() != CV_8UC4)
       return BadInput(file.picture + ": is no picture with transparency (RGBA, 8 bits), as cut-outs of people are");
     cutouts.push_back(cutout);

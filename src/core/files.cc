@@ -29,7 +29,9 @@ bool WriteAll(int file, const std::string& content) {
 
 std::string DraftOf(const std::string& path) { return path + ".part"; }
 
-Status WriteDraft(const FileToWrite& target) {
+enum class ToDisk { kForced, kInTime };
+
+Status WriteDraft(const FileToWrite& target, ToDisk to_disk) {
   std::error_code error;
   const std::filesystem::path parent = std::filesystem::path(target.path).parent_path();
   if (!parent.empty()) std::filesystem::create_directories(parent, error);
@@ -37,7 +39,7 @@ Status WriteDraft(const FileToWrite& target) {
   const std::string draft = DraftOf(target.path);
   const int file = ::open(draft.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) return CannotWrite(target.path, errno);
-  const bool is_written = WriteAll(file, target.content) && ::fsync(file) == 0;
+  const bool is_written = WriteAll(file, target.content) && (to_disk == ToDisk::kInTime || ::fsync(file) == 0);
   const int reason = errno;
   if (::close(file) == 0 && is_written) return Status::Ok();
   const int why = is_written ? errno : reason;
@@ -59,9 +61,14 @@ Status WriteFileWhole(const std::string& path, const std::string& content) {
   return WriteFilesTogether({{path, content}});
 }
 
+Status WriteFileQuickly(const std::string& path, const std::string& content) {
+  const Status status = WriteDraft({path, content}, ToDisk::kInTime);
+  return status ? PutInPlace(path) : status;
+}
+
 Status WriteFilesTogether(const std::vector<FileToWrite>& files) {
   for (size_t i = 0; i < files.size(); ++i) {
-    Status status = WriteDraft(files[i]);
+    Status status = WriteDraft(files[i], ToDisk::kForced);
     if (status) continue;
     for (size_t k = 0; k < i; ++k) ::unlink(DraftOf(files[k].path).c_str());
     return status;

@@ -14,6 +14,10 @@ namespace yorb {
 /// file or the new one, whole. Missing parent folders are made. Failure names the file and the system's reason.
 Status WriteFileWhole(const std::string& path, const std::string& content);
 
+/// The same for one of many files that can be made again, such as pictures of frames: not forced to the disk, so that a
+/// power cut may take it.
+Status WriteFileQuickly(const std::string& path, const std::string& content);
+
 /// A path for one more file: `path` itself, or with a number behind its stem, a/x_2.jpg, where that is among `taken`;
 /// what it gives is taken from then on.
 std::string UntakenPath(const std::string& path, std::set<std::string>& taken);

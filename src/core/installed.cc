@@ -21,11 +21,28 @@ std::optional<std::string> InstalledFolderFrom(const std::string& start, const s
   return std::nullopt;
 }
 
-std::optional<std::string> InstalledFolder(const std::string& name) {
+namespace {
+
+std::optional<fs::path> FolderOfProgram() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return std::nullopt;
-  return InstalledFolderFrom(program.parent_path().string(), name);
+  return error ? std::nullopt : std::optional(program.parent_path());
+}
+
+}  // namespace
+
+std::optional<std::string> InstalledFolder(const std::string& name) {
+  const auto folder = FolderOfProgram();
+  return folder ? InstalledFolderFrom(folder->string(), name) : std::nullopt;
+}
+
+std::optional<std::string> InstalledModule(const std::string& file) {
+  std::error_code ignored;
+  for (fs::path at = FolderOfProgram().value_or(""); !at.empty(); at = at.parent_path()) {
+    if (fs::exists(at / "lib" / "yorb" / file, ignored)) return (at / "lib" / "yorb" / file).string();
+    if (at == at.root_path()) break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace yorb

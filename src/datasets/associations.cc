@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "datasets/picture_file.h"
+#include "pictures/endings.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {

@@ -10,8 +10,8 @@
 #include "datasets/associate.h"
 #include "datasets/depth_watch.h"
 #include "datasets/open_dataset.h"
-#include "datasets/picture_file.h"
 #include "datasets/tum.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/depth_watch.h"
-#include "datasets/test_folder.h"
+#include "datasets/test_recording.h"
 
 namespace yorb {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/text.h"
-#include "datasets/picture_folder.h"
+#include "pictures/picture_folder.h"
 
 namespace yorb {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/log.h"
 #include "core/text.h"
-#include "datasets/picture_file.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {

@@ -5,9 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
-
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {
@@ -35,7 +33,7 @@ class TwoPictures : public Dataset {
 
 class MaskedDatasetTest : public testing::Test {
  protected:
-  void WriteMask(const std::string& name, const cv::Mat& mask) { cv::imwrite(folder_.Path(name), mask); }
+  void WriteMask(const std::string& name, const cv::Mat& mask) { folder_.WritePicture(name, mask); }
   static cv::Mat LeftHalf(int type = CV_8UC1) {
     cv::Mat mask(30, 40, type, cv::Scalar::all(0));
     mask.colRange(0, 20).setTo(cv::Scalar(1, 0, 0));

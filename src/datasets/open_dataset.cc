@@ -12,8 +12,8 @@
 #include "core/log.h"
 #include "core/text.h"
 #include "datasets/associate.h"
-#include "datasets/picture_file.h"
 #include "datasets/tum.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {

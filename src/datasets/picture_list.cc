@@ -9,6 +9,7 @@
 
 #include "core/log.h"
 #include "datasets/associate.h"
+#include "pictures/endings.h"
 
 namespace yorb {
 namespace {
@@ -59,18 +60,6 @@ std::vector<Timestamp> PictureList::Times() const {
   std::vector<Timestamp> times;
   for (const ListedPicture& picture : pictures) times.push_back(picture.time);
   return times;
-}
-
-bool HasPictureEnding(std::string_view name) {
-  const size_t dot = name.rfind('.');
-  if (dot == std::string_view::npos) return false;
-  std::string ending(name.substr(dot + 1));
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  for (const char* known :
-       {"png", "jpg", "jpeg", "tif", "tiff", "pgm", "ppm", "pnm", "pfm", "bmp", "exr", "webp", "jp2"}) {
-    if (ending == known) return true;
-  }
-  return false;
 }
 
 Result<Timestamp> ReadStamp(std::string_view text, const std::string& where) {

@@ -38,9 +38,6 @@ Status CheckStamps(const PictureList& list);
 /// Reads a time stamp of a list line; the complaint tells counts of nanoseconds and decimal commas from rubbish.
 Result<Timestamp> ReadStamp(std::string_view text, const std::string& where);
 
-/// Whether a word ends as picture files do (.png, .jpg, .tiff ...).
-bool HasPictureEnding(std::string_view name);
-
 /// The file that a list in `folder` means: without quotes, absolute or relative to the folder. What follows a blank is
 /// part of the name only if such a file is there.
 ListedPicture LocatePicture(const std::string& folder, std::string_view text);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "datasets/associations.h"
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {

@@ -10,7 +10,7 @@
 #include "datasets/associate.h"
 #include "datasets/associations.h"
 #include "datasets/depth_watch.h"
-#include "datasets/picture_file.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {

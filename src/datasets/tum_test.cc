@@ -12,7 +12,7 @@
 
 #include "datasets/depth_watch.h"
 #include "datasets/open_dataset.h"
-#include "datasets/test_folder.h"
+#include "datasets/test_recording.h"
 
 namespace yorb {
 namespace {

@@ -5,15 +5,15 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
 #include <utility>
 
 #include "core/stats.h"
 #include "core/stopwatch.h"
-#include "datasets/still_picture.h"
 #include "detection/yolo_detector.h"
+#include "pictures/png.h"
+#include "pictures/still_picture.h"
 #include "runs/draw_boxes.h"
 
 namespace yorb {
@@ -191,10 +191,10 @@ Result<std::vector<FileToWrite>> DetectorFigures(const std::vector<std::string>&
     }
     cv::Mat together;
     cv::hconcat(seen, together);
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", together, bytes);
+    auto bytes = EncodePng(together);
+    if (!bytes) return bytes.error();
     const fs::path figure = fs::path(folder) / ("figure9_" + fs::path(path).stem().string() + ".png");
-    files.push_back({UntakenPath(figure.string(), figures), std::string(bytes.begin(), bytes.end())});
+    files.push_back({UntakenPath(figure.string(), figures), *std::move(bytes)});
   }
   return files;
 }

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
-#include "datasets/test_folder.h"
+#include "datasets/test_recording.h"
 #include "detection/test_network.h"
+#include "pictures/png.h"
 
 namespace yorb {
 namespace {
@@ -83,7 +83,7 @@ TEST(BenchDetector, RunsJudgesAndDrawsAllNetworks) {
   ASSERT_TRUE(figures) << figures.error().message;
   ASSERT_EQ(figures->size(), 1u);
   const std::string& png = figures->front().content;
-  EXPECT_EQ(cv::imdecode(std::vector<char>(png.begin(), png.end()), cv::IMREAD_COLOR).size(), cv::Size(128, 64));
+  EXPECT_EQ(DecodePng(png).pixels.size(), cv::Size(128, 64));
 }
 
 TEST(BenchDetector, PeopleAreFoundOnceAndBoxesOnNobodyAreFalse) {

@@ -7,10 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "datasets/test_folder.h"
 #include "experiments/dynamic_figures.h"
 #include "experiments/dynamic_text.h"
 #include "experiments/test_room.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {
@@ -23,7 +23,7 @@ void WriteTruth(const RoomDataset& room, const TestFolder& folder) {
   std::filesystem::create_directories(folder.Path("mask"));
   for (const RenderedFrame& frame : room.frames()) {
     const std::string time = ToString(frame.images.timestamp);
-    cv::imwrite(folder.Path("mask/" + time + ".png"), frame.mask);
+    folder.WritePicture("mask/" + time + ".png", frame.mask);
     for (const PersonBox& box : frame.boxes) {
       people += time;
       for (const int number : {box.left, box.top, box.right, box.bottom, box.num_visible_px}) {

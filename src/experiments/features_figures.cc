@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "experiments/features_spread.h"
 #include "features/descriptor.h"
 #include "features/quadtree.h"
+#include "pictures/png.h"
 
 namespace yorb {
 namespace {
@@ -56,9 +56,9 @@ cv::Mat Sheet(const std::vector<std::vector<cv::Mat>>& rows) {
 }
 
 Result<FileToWrite> Png(const std::string& path, const cv::Mat& picture) {
-  std::vector<uint8_t> bytes;
-  if (!cv::imencode(".png", picture, bytes)) return Failure(path + " cannot be encoded as PNG");
-  return FileToWrite{path, std::string(bytes.begin(), bytes.end())};
+  auto bytes = EncodePng(picture);
+  if (!bytes) return Failure(path + ": " + bytes.error().message);
+  return FileToWrite{path, *std::move(bytes)};
 }
 
 FrontEnd Named(const std::vector<FrontEnd>& front_ends, const std::string& name) {

@@ -8,9 +8,10 @@
 
 #include "core/log.h"
 #include "datasets/open_dataset.h"
-#include "datasets/picture_file.h"
 #include "datasets/picture_list.h"
 #include "evaluation/trajectory_io.h"
+#include "pictures/endings.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {

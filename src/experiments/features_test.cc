@@ -9,7 +9,6 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/random.h"
 #include "experiments/features_figures.h"
@@ -18,6 +17,7 @@
 #include "features/hamming.h"
 #include "features/original_extractor.h"
 #include "features/test_pictures.h"
+#include "pictures/png.h"
 
 namespace yorb {
 namespace {
@@ -29,8 +29,8 @@ class TwoPictures : public testing::Test {
     folder_ = std::filesystem::temp_directory_path() / ("yorb_features_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder_);
     for (const int seed : {1, 2}) {
-      cv::imwrite((folder_ / (std::to_string(seed) + ".png")).string(),
-                  RectanglesPicture(320, 240, static_cast<uint64_t>(seed)));
+      std::ofstream(folder_ / (std::to_string(seed) + ".png"), std::ios::binary)
+          << *EncodePng(RectanglesPicture(320, 240, static_cast<uint64_t>(seed)));
     }
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 #include "runs/test_dataset.h"
 
 namespace yorb {
@@ -25,8 +25,7 @@ void Add(const Dataset& dataset, size_t i, const std::vector<cv::Point2f>& place
 void WriteMask(const TestFolder& folder, const Dataset& dataset, size_t i) {
   cv::Mat mask(dataset.rig().camera.height, dataset.rig().camera.width, CV_8UC1, cv::Scalar(0));
   mask.colRange(0, mask.cols / 2).setTo(2);
-  std::filesystem::create_directories(folder.Path("mask"));
-  cv::imwrite(folder.Path("mask/" + ToString(dataset.TimeOf(i)) + ".png"), mask);
+  folder.WritePicture("mask/" + ToString(dataset.TimeOf(i)) + ".png", mask);
 }
 
 TEST(ScoreRemoval, CountsPointByPoint) {

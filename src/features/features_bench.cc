@@ -17,6 +17,7 @@
 #include "features/pyramid.h"
 #include "features/quadtree.h"
 #include "features/test_pictures.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {
@@ -27,7 +28,11 @@ constexpr double kFactor = 1.2;
 cv::Mat LoadPicture() {
   std::vector<cv::String> files;
   if (const std::string folder = DataFolder("fr1_xyz/rgb"); !folder.empty()) cv::glob(folder, files);
-  return files.empty() ? RectanglesPicture(640, 480, 1) : cv::imread(files[files.size() / 3], cv::IMREAD_GRAYSCALE);
+  if (files.empty()) return RectanglesPicture(640, 480, 1);
+  const std::string& file = files[files.size() / 3];
+  const auto picture = ToColourAndGrey(ReadPictureFile(file).pixels, file);
+  YORB_CHECK(picture.ok(), file.c_str());
+  return picture->grey;
 }
 
 const cv::Mat& Picture() {

@@ -11,8 +11,8 @@
 #include "core/stats.h"
 #include "core/stopwatch.h"
 #include "core/text.h"
-#include "datasets/still_picture.h"
 #include "detection/class_names.h"
+#include "pictures/still_picture.h"
 
 namespace yorb {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "datasets/test_folder.h"
+#include "datasets/test_recording.h"
 #include "runs/draw_boxes.h"
 #include "runs/picture_source.h"
 

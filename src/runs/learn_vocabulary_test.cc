@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 
-#include "datasets/test_folder.h"
 #include "features/test_pictures.h"
+#include "pictures/picture_file.h"
+#include "pictures/test_folder.h"
 #include "places/place_index.h"
 #include "places/vocabulary_io.h"
 #include "runs/find_vocabulary.h"
@@ -98,8 +98,9 @@ Bag BagOfRoom(const std::string& folder, const Vocabulary& vocabulary, int numbe
   name.insert(0, 5 - name.size(), '0');
   FeatureOptions options;
   options.over_extraction = 1;
-  return vocabulary.Describe(
-      OrbExtractor(options).Extract(cv::imread(folder + "/" + name + ".jpg", cv::IMREAD_GRAYSCALE)).descriptors);
+  const std::string path = folder + "/" + name + ".jpg";
+  const auto picture = ToColourAndGrey(ReadPictureFile(path).pixels, path);
+  return vocabulary.Describe(OrbExtractor(options).Extract(picture->grey).descriptors);
 }
 
 TEST(FindVocabulary, TheInstalledOneFindsTheRoomThatIsSeenAgain) {

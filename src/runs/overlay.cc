@@ -4,12 +4,13 @@
 
 #include <cmath>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 #include <vector>
 
+#include "core/files.h"
 #include "core/text.h"
+#include "pictures/png.h"
 #include "runs/draw_boxes.h"
 
 namespace yorb {
@@ -81,9 +82,10 @@ void OverlayWriter::Write(const Watched& watched) {
             << ToString(watched.verdicts[i]) << '\n';
   }
   const std::string file = (std::filesystem::path(folder_) / (time + ".png")).string();
-  if (status_ && !(cv::imwrite(file, DrawJudgement(watched)) && points_.flush())) {
-    status_ = Failure(file + " cannot be written; is the disk full?");
-  }
+  if (!status_) return;
+  const auto bytes = EncodePng(DrawJudgement(watched));
+  status_ = bytes ? WriteFileQuickly(file, *bytes) : Status(bytes.error());
+  if (status_ && !points_.flush()) status_ = Failure(folder_ + "/points.csv cannot be written; is the disk full?");
 }
 
 }  // namespace yorb

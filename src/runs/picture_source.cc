@@ -6,11 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "datasets/picture_folder.h"
 #include "datasets/picture_list.h"
-#include "datasets/still_picture.h"
 #include "datasets/tum.h"
-#include "datasets/video.h"
+#include "pictures/endings.h"
+#include "pictures/picture_folder.h"
+#include "pictures/still_picture.h"
+#include "pictures/video.h"
 
 namespace yorb {
 namespace {

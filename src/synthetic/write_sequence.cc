@@ -3,17 +3,14 @@
 #include "synthetic/write_sequence.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <vector>
 
 #include "camera/camera_io.h"
 #include "core/files.h"
 #include "core/parallel.h"
 #include "core/text.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {
@@ -26,17 +23,9 @@ constexpr const char* kLists[] = {"rgb.txt", "depth.txt", "groundtruth.txt", "pe
 
 std::string Inside(const std::string& folder, const std::string& name) { return (fs::path(folder) / name).string(); }
 
-// Pictures are many and can be rendered again: not forced to the disk one by one, as WriteFileWhole does.
-Status WritePicture(const std::string& path, const cv::Mat& picture, const std::vector<int>& parameters) {
-  std::vector<uchar> bytes;
-  if (!cv::imencode(fs::path(path).extension().string(), picture, bytes, parameters))
-    return Failure(path + " cannot be encoded");
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return Failure(path + " cannot be written: " + std::strerror(errno));
-  const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  const int reason = errno;
-  if (std::fclose(file) == 0 && is_written) return Status::Ok();
-  return Failure(path + " cannot be written: " + std::strerror(is_written ? errno : reason));
+Status WritePicture(const std::string& path, const cv::Mat& picture, int jpeg_quality) {
+  const auto bytes = EncodePictureFor(path, picture, jpeg_quality);
+  return bytes ? WriteFileQuickly(path, *bytes) : Status(bytes.error());
 }
 
 std::string PicturePath(const SyntheticSequence& sequence, const WriteOptions& options, const std::string& kind,
@@ -63,16 +52,13 @@ struct WrittenFrame {
 
 WrittenFrame WriteFrame(const SyntheticSequence& sequence, const WriteOptions& options, int frame) {
   const RenderedFrame rendered = sequence.Render(frame);
-  const std::vector<int> quick_png{cv::IMWRITE_PNG_COMPRESSION, 1};
-  const std::vector<int> jpeg{cv::IMWRITE_JPEG_QUALITY, options.jpeg_quality};
-  const auto path = [&](const std::string& kind) {
-    return Inside(options.folder, PicturePath(sequence, options, kind, frame));
+  const auto write = [&](const std::string& kind, const cv::Mat& picture) {
+    return WritePicture(Inside(options.folder, PicturePath(sequence, options, kind, frame)), picture,
+                        options.jpeg_quality);
   };
-  WrittenFrame written{WritePicture(path("rgb"), rendered.images.colour, options.is_lossless ? quick_png : jpeg),
-                       BoxLines(rendered)};
-  if (written.status) written.status = WritePicture(path("depth"), rendered.images.depth.pixels, quick_png);
-  if (written.status && sequence.num_people() > 0)
-    written.status = WritePicture(path("mask"), rendered.mask, quick_png);
+  WrittenFrame written{write("rgb", rendered.images.colour), BoxLines(rendered)};
+  if (written.status) written.status = write("depth", rendered.images.depth.pixels);
+  if (written.status && sequence.num_people() > 0) written.status = write("mask", rendered.mask);
   return written;
 }
 

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
 #include "camera/camera_io.h"
 #include "core/text.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {
@@ -68,11 +68,10 @@ TEST_F(WriteSequenceTest, ListsNameFilesThatAreThere) {
     for (const TextLine& line : list->lines) {
       const auto fields = SplitAtBlanks(line.text);
       ASSERT_EQ(fields.size(), 2u);
-      const cv::Mat picture = cv::imread((folder_ / std::string(fields[1])).string(), cv::IMREAD_UNCHANGED);
+      const cv::Mat picture = ReadPictureFile((folder_ / std::string(fields[1])).string()).pixels;
       EXPECT_EQ(picture.size(), cv::Size(160, 120));
       EXPECT_EQ(picture.type(), std::string(name) == "rgb.txt" ? CV_8UC3 : CV_16UC1);
-      const cv::Mat mask =
-          cv::imread((folder_ / "mask" / (std::string(fields[0]) + ".png")).string(), cv::IMREAD_UNCHANGED);
+      const cv::Mat mask = ReadPictureFile((folder_ / "mask" / (std::string(fields[0]) + ".png")).string()).pixels;
       EXPECT_EQ(mask.type(), CV_8UC1);
     }
   }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/picture_folder.h"
+#include "pictures/picture_folder.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
-#include "datasets/picture_list.h"
+#include "pictures/endings.h"
 
 namespace yorb {
 namespace {

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/picture_file.h"
+#include "pictures/picture_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "datasets/test_folder.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {
@@ -19,7 +20,7 @@ TEST(PictureFile, WholePicturesAreReadAsStored) {
   const TestFolder folder;
   folder.WritePicture("c.png", TestColour(1));
   folder.WritePicture("d.png", TestDepth(1234));
-  folder.WritePicture("f.tiff", cv::Mat(4, 6, CV_32FC1, cv::Scalar(1.5)));
+  ASSERT_TRUE(cv::imwrite(folder.Path("f.tiff"), cv::Mat(4, 6, CV_32FC1, cv::Scalar(1.5))));
   for (const char* name : {"c.png", "d.png", "f.tiff"}) EXPECT_EQ(ReadPictureFile(folder.Path(name)).fault, "") << name;
   EXPECT_EQ(cv::norm(ReadPictureFile(folder.Path("c.png")).pixels, TestColour(1), cv::NORM_INF), 0);
   EXPECT_EQ(ReadPictureFile(folder.Path("d.png")).pixels.at<uint16_t>(3, 3), 1234);
@@ -72,6 +73,31 @@ TEST(PictureFile, JpegsAreTheBitsThatOpenCvGives) {
     const cv::Mat theirs = cv::imread(folder.Path("c.jpg"), cv::IMREAD_UNCHANGED);
     ASSERT_EQ(read.pixels.type(), theirs.type());
     EXPECT_EQ(cv::norm(read.pixels, theirs, cv::NORM_INF), 0);
+  }
+}
+
+TEST(PictureFile, TheJpegsWeWriteAreTheBytesThatOpenCvWrites) {
+  cv::Mat colour = TestColour(3, 201, 151), grey;
+  cv::GaussianBlur(colour, colour, {5, 5}, 1.5);
+  cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
+  for (const cv::Mat& picture : {colour, grey}) {
+    std::vector<unsigned char> theirs;
+    ASSERT_TRUE(cv::imencode(".jpg", picture, theirs, {cv::IMWRITE_JPEG_QUALITY, 90}));
+    EXPECT_EQ(*EncodePictureFor("a.JPG", picture, 90), std::string(theirs.begin(), theirs.end()));
+  }
+  const auto refused = EncodePictureFor("depth.jpg", TestDepth());
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("depth.jpg"));
+}
+
+TEST(PictureFile, OtherFormatsAreReadByTheModule) {
+  const TestFolder folder;
+  const cv::Mat picture = TestColour(4);
+  for (const char* name : {"a.bmp", "a.tiff", "a.webp", "a.ppm"}) {
+    ASSERT_TRUE(cv::imwrite(folder.Path(name), picture, {cv::IMWRITE_WEBP_QUALITY, 101}));
+    const StoredPicture read = ReadPictureFile(folder.Path(name));
+    ASSERT_EQ(read.fault, "") << name;
+    EXPECT_EQ(cv::norm(read.pixels, picture, cv::NORM_INF), 0) << name;
   }
 }
 

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/picture_file.h"
+#include "pictures/picture_file.h"
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string_view>
 
-#include "datasets/jpeg_picture.h"
+#include "pictures/endings.h"
+#include "pictures/jpeg.h"
+#include "pictures/other_formats.h"
+#include "pictures/png.h"
 
 namespace yorb {
 namespace {
@@ -43,24 +44,7 @@ std::string FaultOfJpeg(std::string_view bytes) {
   return kCut;
 }
 
-/// The checksum of PNG's chunks.
-uint32_t Crc32(std::string_view bytes) {
-  static const std::array<uint32_t, 256> table = [] {
-    std::array<uint32_t, 256> rows{};
-    for (uint32_t n = 0; n < rows.size(); ++n) {
-      uint32_t row = n;
-      for (int bit = 0; bit < 8; ++bit) row = row & 1 ? 0xedb88320u ^ row >> 1 : row >> 1;
-      rows[n] = row;
-    }
-    return rows;
-  }();
-  uint32_t crc = 0xffffffffu;
-  for (const char c : bytes) crc = table[(crc ^ static_cast<unsigned char>(c)) & 0xff] ^ crc >> 8;
-  return ~crc;
-}
-
-/// Walks from chunk to chunk until IEND. The checksums of those that hold the picture are compared, since the decoder
-/// prints what it finds wrong.
+/// Walks from chunk to chunk until IEND.
 std::string FaultOfPng(std::string_view bytes) {
   size_t at = 8;
   while (at + 12 <= bytes.size()) {
@@ -69,12 +53,7 @@ std::string FaultOfPng(std::string_view bytes) {
     const std::string_view name = bytes.substr(at + 4, 4);
     if (name == "IEND") return "";
     if (length > bytes.size() - at - 12) return kCut;
-    const size_t end = at + 8 + length;
-    const uint32_t crc =
-        Byte(bytes, end) << 24 | Byte(bytes, end + 1) << 16 | Byte(bytes, end + 2) << 8 | Byte(bytes, end + 3);
-    const bool is_needed = name == "IHDR" || name == "PLTE" || name == "IDAT";
-    if (is_needed && crc != Crc32(bytes.substr(at + 4, 4 + length))) return kDamaged;
-    at = end + 4;
+    at += 12 + length;
   }
   return kCut;
 }
@@ -106,13 +85,17 @@ std::string FaultOfPictureBytes(const std::string& bytes) {
 
 namespace {
 
-cv::Mat DecodeByOpenCv(const std::string& bytes) {
-  const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-  try {
-    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    return {};
-  }
+/// By what the bytes begin with; whatever is left over goes to the other formats.
+StoredPicture Decode(const std::string& bytes) {
+  DecodedPicture picture;
+  if (bytes.compare(0, 2, "\xff\xd8") == 0) picture = DecodeJpeg(bytes);
+  if (bytes.compare(0, 4, "\x89PNG") == 0) picture = DecodePng(bytes);
+  if (picture.kind == DecodedPicture::Kind::kDamaged) return {{}, kDamaged};
+  if (picture.kind == DecodedPicture::Kind::kWhole) return {picture.pixels, ""};
+  const auto others = LoadOtherFormats();
+  if (!others) return {{}, others.error().message};
+  picture.pixels = (*others)->Decode(bytes);
+  return {picture.pixels, picture.pixels.empty() ? "cannot be decoded" : ""};
 }
 
 }  // namespace
@@ -127,14 +110,14 @@ StoredPicture ReadPictureFile(const std::string& path) {
   std::string bytes(static_cast<size_t>(size), '\0');
   stream.seekg(0);
   if (size > 0 && !stream.read(bytes.data(), size)) return {{}, "cannot be read"};
-  StoredPicture picture{{}, FaultOfPictureBytes(bytes)};
-  if (!picture.fault.empty()) return picture;
-  JpegPicture jpeg;
-  if (bytes.compare(0, 2, "\xff\xd8") == 0) jpeg = DecodeJpeg(bytes);
-  if (jpeg.kind == JpegPicture::Kind::kDamaged) return {{}, kDamaged};
-  picture.pixels = jpeg.kind == JpegPicture::Kind::kWhole ? jpeg.pixels : DecodeByOpenCv(bytes);
-  if (picture.pixels.empty()) picture.fault = "cannot be decoded";
-  return picture;
+  const std::string fault = FaultOfPictureBytes(bytes);
+  return fault.empty() ? Decode(bytes) : StoredPicture{{}, fault};
+}
+
+Result<std::string> EncodePictureFor(const std::string& path, const cv::Mat& picture, int jpeg_quality) {
+  auto bytes = HasJpegEnding(path) ? EncodeJpeg(picture, jpeg_quality) : EncodePng(picture);
+  if (!bytes) return Failure(path + ": " + bytes.error().message);
+  return bytes;
 }
 
 Result<ColourAndGrey> ToColourAndGrey(const cv::Mat& stored, const std::string& path) {

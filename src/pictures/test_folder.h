@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-// For tests only: a scratch folder, and small recordings in TUM's layout in it.
+// For tests only: a scratch folder, and pictures in it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,11 +8,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <sstream>
 #include <string>
 
-#include "core/text.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 
@@ -42,8 +42,9 @@ class TestFolder {
   }
 
   void WritePicture(const std::string& name, const cv::Mat& picture) const {
-    std::filesystem::create_directories((root_ / name).parent_path());
-    ASSERT_TRUE(cv::imwrite(Path(name), picture)) << name;
+    const auto bytes = EncodePictureFor(name, picture);
+    ASSERT_TRUE(bytes) << bytes.error().message;
+    Write(name, *bytes);
   }
 
   std::string Read(const std::string& name) const {
@@ -58,8 +59,6 @@ class TestFolder {
 };
 
 constexpr int kTestWidth = 64, kTestHeight = 48;
-const char* const kTestCamera =
-    "fx: 50\nfy: 50\ncx: 31.5\ncy: 23.5\nwidth: 64\nheight: 48\ndepth_factor: 1000\nname: test\n";
 
 /// A colour picture with something in it.
 inline cv::Mat TestColour(int seed, int width = kTestWidth, int height = kTestHeight) {
@@ -69,22 +68,5 @@ inline cv::Mat TestColour(int seed, int width = kTestWidth, int height = kTestHe
 }
 
 inline cv::Mat TestDepth(double units = 1500) { return cv::Mat(kTestHeight, kTestWidth, CV_16UC1, cv::Scalar(units)); }
-
-inline std::string Stamp(int frame) { return FormatFixed(1000 + frame / 30.0, 6); }
-
-/// `count` frames at 30 Hz in folder `name`: rgb/K.png and depth/K.png, depth 5 ms after colour, and camera.yaml.
-inline void WriteRecording(const TestFolder& folder, const std::string& name, int count) {
-  std::string rgb, depth;
-  for (int k = 0; k < count; ++k) {
-    const std::string file = std::to_string(k) + ".png";
-    folder.WritePicture(name + "/rgb/" + file, TestColour(k));
-    folder.WritePicture(name + "/depth/" + file, TestDepth());
-    rgb += Stamp(k) + " rgb/" + file + "\n";
-    depth += FormatFixed(1000.005 + k / 30.0, 6) + " depth/" + file + "\n";
-  }
-  folder.Write(name + "/rgb.txt", "# colour\n" + rgb);
-  folder.Write(name + "/depth.txt", "# depth\n" + depth);
-  folder.Write(name + "/camera.yaml", kTestCamera);
-}
 
 }  // namespace yorb

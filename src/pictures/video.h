@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/result.h"
 #include "core/time.h"
+#include "pictures/other_formats.h"
 
 namespace yorb {
-
-/// Whether a name ends as video files do (.mp4, .avi, .mkv ...).
-bool HasVideoEnding(std::string_view name);
 
 /// One picture of a video.
 struct VideoFrame {
@@ -32,9 +31,9 @@ class Video {
   std::optional<VideoFrame> Next();
 
  private:
-  explicit Video(const cv::VideoCapture& capture) : capture_(capture) {}
+  explicit Video(std::unique_ptr<VideoStream> stream) : stream_(std::move(stream)) {}
 
-  cv::VideoCapture capture_;
+  std::unique_ptr<VideoStream> stream_;
   size_t num_read_ = 0;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/still_picture.h"
+#include "pictures/still_picture.h"
 
 #include <filesystem>
 #include <fstream>
 #include <utility>
 
-#include "datasets/picture_file.h"
+#include "pictures/picture_file.h"
 
 namespace yorb {
 namespace {

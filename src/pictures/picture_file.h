@@ -23,6 +23,10 @@ StoredPicture ReadPictureFile(const std::string& path);
 /// not looked into.
 std::string FaultOfPictureBytes(const std::string& bytes);
 
+/// The content of a picture file, as its name asks: a JPEG for .jpg and .jpeg, otherwise a PNG. Failure, naming the
+/// path, where there is no such file of a picture of this type.
+Result<std::string> EncodePictureFor(const std::string& path, const cv::Mat& picture, int jpeg_quality = 95);
+
 /// A picture as features and detectors want it.
 struct ColourAndGrey {
   cv::Mat colour;  ///< CV_8UC3, BGR; empty for a grey source

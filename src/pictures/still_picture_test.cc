@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/still_picture.h"
+#include "pictures/still_picture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
 
-#include "datasets/picture_folder.h"
-#include "datasets/test_folder.h"
-#include "datasets/video.h"
+#include "pictures/endings.h"
+#include "pictures/jpeg.h"
+#include "pictures/picture_folder.h"
+#include "pictures/test_folder.h"
+#include "pictures/video.h"
 
 namespace yorb {
 namespace {
@@ -27,12 +29,11 @@ std::string Exif(int orientation, bool is_little) {
 
 /// A JPEG with that block behind its start.
 std::string JpegWith(const cv::Mat& picture, const std::string& exif) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 100});
+  const std::string bytes = *EncodeJpeg(picture, 100);
   const std::string segment = std::string("Exif\0\0", 6) + exif;
   const size_t length = segment.size() + 2;
   const std::string head{'\xff', '\xe1', static_cast<char>(length >> 8), static_cast<char>(length)};
-  return std::string(bytes.begin(), bytes.begin() + 2) + head + segment + std::string(bytes.begin() + 2, bytes.end());
+  return bytes.substr(0, 2) + head + segment + bytes.substr(2);
 }
 
 /// 40 wide, 20 high; white in the corner at the top left, grey else.

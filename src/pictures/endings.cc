@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pictures/endings.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <string>
+
+namespace yorb {
+namespace {
+
+bool EndsAs(std::string_view name, std::initializer_list<std::string_view> known) {
+  const size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return false;
+  std::string ending(name.substr(dot + 1));
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(known.begin(), known.end(), ending) != known.end();
+}
+
+}  // namespace
+
+bool HasPictureEnding(std::string_view name) {
+  return EndsAs(name, {"png", "jpg", "jpeg", "tif", "tiff", "pgm", "ppm", "pnm", "pfm", "bmp", "exr", "webp", "jp2"});
+}
+
+bool HasJpegEnding(std::string_view name) { return EndsAs(name, {"jpg", "jpeg"}); }
+
+bool HasVideoEnding(std::string_view name) {
+  return EndsAs(name, {"mp4", "avi", "mkv", "mov", "webm", "m4v", "mpg", "mpeg", "wmv", "ogv", "gif"});
+}
+
+}  // namespace yorb
