@@ -142,11 +142,13 @@ TEST_F(Recording, AssociationsWin) {
 TEST_F(Recording, FloatDepthNeedsNoFactorAndUnitsDo) {
   folder_.Write("bare.yaml", "fx: 50\nfy: 50\ncx: 31.5\ncy: 23.5\n");
   EXPECT_THAT(Complaint("seq", folder_.Path("bare.yaml")), HasSubstr("depth_factor"));
+  const std::vector<float> metres(kTestHeight * kTestWidth, 2.25f);
+  const std::string pfm = "Pf\n" + std::to_string(kTestWidth) + " " + std::to_string(kTestHeight) + "\n-1\n" +
+                          std::string(reinterpret_cast<const char*>(metres.data()), metres.size() * sizeof(float));
   std::string depth;
   for (int k = 0; k < 6; ++k) {
-    folder_.WritePicture("seq/depth/" + std::to_string(k) + ".tiff",
-                         cv::Mat(kTestHeight, kTestWidth, CV_32FC1, cv::Scalar(2.25)));
-    depth += Stamp(k) + " depth/" + std::to_string(k) + ".tiff\n";
+    folder_.Write("seq/depth/" + std::to_string(k) + ".pfm", pfm);
+    depth += Stamp(k) + " depth/" + std::to_string(k) + ".pfm\n";
   }
   folder_.Write("seq/depth.txt", depth);
   EXPECT_EQ(Open("seq", folder_.Path("bare.yaml"))->Load(1)->images->depth.At(5, 5), 2.25f);

@@ -38,7 +38,7 @@ struct Config {
   /// what is done about moving things: off: nothing; paper: points in their boxes go; exact: the same with given boxes;
   /// full: boxes are followed, within them depth tells the body from the background, and what else moves is
   /// found by geometry
-  std::string dynamics = "off";
+  std::string dynamics = "full";
   std::string detections;  ///< a file of boxes in the detector's place; empty: the detector
   std::string masks;       ///< a folder of masks, or one for all frames: what is not to be used; empty: none
   std::string load_map;    ///< a file of `--save-map` to go on from; empty: a new map is begun

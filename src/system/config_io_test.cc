@@ -200,7 +200,9 @@ TEST_F(ConfigIo, ValuesThatCannotStandTogetherAreRefused) {
 }
 
 TEST_F(ConfigIo, SwitchWordsStandInQuotesSoThatOtherReadersTakeThemForText) {
-  EXPECT_THAT(ConfigText(Config(), ""), HasSubstr("dynamics: \"off\""));
+  Config config;
+  config.dynamics = "off";
+  EXPECT_THAT(ConfigText(config, ""), HasSubstr("dynamics: \"off\""));
 }
 
 }  // namespace
