@@ -25,7 +25,13 @@ class NetCompiler {
     net_.input =
         net_.program.New({input.batch, input.channels, input.height, input.width}, NetLayout::kChannelsLast, false);
     values_[model_.inputs.front().name] = net_.input;
-    for (const OnnxTensor& tensor : model_.constants) values_[tensor.name] = ConstantOf(tensor);
+    for (const OnnxTensor& tensor : model_.constants) {
+      if (IsForConvolutions(tensor.name)) {
+        weights_[tensor.name] = &tensor;
+      } else {
+        values_[tensor.name] = Filled(net_.program.New(tensor.dims, NetLayout::kDense, true), tensor);
+      }
+    }
     for (size_t i = 0; i < model_.nodes.size(); ++i) {
       if (Status status = CompileNode(model_.nodes[i]); !status) return status;
       for (const std::string& name : model_.nodes[i].inputs) {
@@ -53,8 +59,15 @@ class NetCompiler {
     }
   }
 
-  NetValue ConstantOf(const OnnxTensor& tensor) {
-    NetValue value = net_.program.New(tensor.dims, NetLayout::kDense, true);
+  /// Whether a constant is read by convolutions alone, which make weights of their own of it.
+  bool IsForConvolutions(const std::string& constant) {
+    const std::vector<size_t>& readers = readers_[constant];
+    return std::all_of(readers.begin(), readers.end(), [&](size_t i) {
+      return i < model_.nodes.size() && model_.nodes[i].op == "Conv" && model_.nodes[i].inputs[0] != constant;
+    });
+  }
+
+  static NetValue Filled(NetValue value, const OnnxTensor& tensor) {
     value.is_whole = tensor.is_whole;
     if (tensor.is_whole) {
       std::transform(tensor.ints.begin(), tensor.ints.end(), value.data.get(),
@@ -74,10 +87,16 @@ class NetCompiler {
     return is_one && readers.front() < model_.nodes.size() ? &model_.nodes[readers.front()] : nullptr;
   }
 
+  /// Weights are taken from the file when they are wanted, and not kept.
+  NetValue ValueOf(const std::string& name) const {
+    const auto weights = weights_.find(name);
+    return weights == weights_.end() ? values_.at(name) : Filled(NewConstant(weights->second->dims), *weights->second);
+  }
+
   NetNode NodeOf(const OnnxNode& node) {
     NetNode ready{node, {}, net_.program, model_.opset, !node.inputs.empty()};
     for (const std::string& name : node.inputs) {
-      ready.inputs.push_back(name.empty() ? NetValue() : values_.at(name));
+      ready.inputs.push_back(name.empty() ? NetValue() : ValueOf(name));
       if (!name.empty()) ready.is_constant &= ready.inputs.back().is_constant;
     }
     return ready;
@@ -200,6 +219,7 @@ class NetCompiler {
   const OnnxModel& model_;
   CompiledNet& net_;
   std::map<std::string, NetValue> values_;
+  std::map<std::string, const OnnxTensor*> weights_;  // of convolutions
   const std::set<const OnnxNode*> put_off_;
   std::map<std::string, std::vector<NetPart>> parts_;  // of pictures that are put off
   std::map<std::string, std::shared_ptr<NetHead>> heads_;

@@ -51,7 +51,7 @@ bool IsOfSinglePixels(const OnnxNode& node, const std::set<std::string>& weights
 NetValue WeightsFrom(const NetNode& node, int64_t start, int64_t count) {
   const NetValue& all = node.inputs[1];
   const std::vector<float> from = NumbersOf(all);
-  NetValue part = node.program.New({all.dims[0], count, 1, 1}, NetLayout::kDense, true);
+  NetValue part = NewConstant({all.dims[0], count, 1, 1});
   for (int64_t out = 0; out < all.dims[0]; ++out) {
     const auto row = from.begin() + out * all.dims[1] + start;
     std::copy(row, row + count, part.data.get() + out * count);

@@ -191,14 +191,14 @@ NetOutputs Convolution(const NetNode& node) {
   const int64_t groups = node.node.Integer("group", 1), num_out = weights.dims[0];
   if (groups < 1 || num_out % groups != 0 || weights.dims[1] * groups != input.dims[1])
     return BadInput(": its weights do not fit its input");
-  const std::vector<float> kernel = KernelOf(weights),
-                           bias = node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>();
+  const std::vector<float> bias = node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>();
   if (!bias.empty() && static_cast<int64_t>(bias.size()) != num_out)
     return BadInput(": its bias does not fit its weights");
   if (IsForWinograd(node, input, *window)) return WinogradConvolution(node, input);
   if (const auto size = DepthwiseSizeOf(node, input, *window)) return DepthwiseConvolution(node, input, *size);
   NetValue output = node.New({input.dims[0], num_out, window->Height(input.dims[2]), window->Width(input.dims[3])},
                              NetLayout::kChannelsLast);
+  const std::vector<float> kernel = KernelOf(weights);
   xnn_operator_t op = nullptr;
   const xnn_status made = xnn_create_convolution2d_nhwc_f32(
       U(window->top), U(window->right), U(window->bottom), U(window->left), U(window->kernel_y), U(window->kernel_x),

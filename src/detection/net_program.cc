@@ -10,11 +10,11 @@
 namespace yorb {
 
 NetValue NetProgram::New(const std::vector<int64_t>& dims, NetLayout layout, bool is_constant) {
+  if (is_constant) return constants_.emplace_back(NewConstant(dims, layout));
   NetValue value;
   value.dims = dims;
   value.strides = StridesOf(dims, layout);
-  value.data = (is_constant ? constants_ : pool_).Take(std::max<int64_t>(value.size(), 1));
-  value.is_constant = is_constant;
+  value.data = pool_.Take(std::max<int64_t>(value.size(), 1));
   return value;
 }
 

@@ -21,7 +21,7 @@ namespace yorb {
 /// A network in the making: steps that are run one after the other, on buffers whose places are settled.
 class NetProgram {
  public:
-  /// A value for the result of a step. Of constants nothing is used again.
+  /// A value for the result of a step. Constants stay, for the steps that read them.
   NetValue New(const std::vector<int64_t>& dims, NetLayout layout, bool is_constant);
 
   /// Adds a step, or takes it at once where all that it reads is constant.
@@ -36,7 +36,8 @@ class NetProgram {
   }
 
  private:
-  BufferPool pool_, constants_;
+  BufferPool pool_;
+  std::vector<NetValue> constants_;
   std::vector<std::function<void()>> steps_;
   pthreadpool* threads_ = nullptr;
 };

@@ -147,6 +147,29 @@ TEST(Net, ShapesThatTheGraphComputesAreKnownBeforehand) {
   }
 }
 
+TEST(Net, ConstantsThatStepsReadStayWhileOthersAreComputed) {
+  const auto network = [](bool computes) {
+    TestNetwork net(8, 8);
+    const std::string first = net.Random({1, 3, 8, 8}), sum = net.Op("Add", {"images", first});
+    const std::string two = net.Constant({1, 3, 8, 8}, std::vector<float>(192, 2.f));
+    const std::string minus_two = net.Constant({1, 3, 8, 8}, std::vector<float>(192, -2.f));
+    net.Output(net.Op("Add", {sum, computes ? net.Op("Neg", {two}) : minus_two}), {1, 3, 8, 8});
+    return net;
+  };
+  EXPECT_EQ(Compiled(network(true)), Compiled(network(false)));
+}
+
+TEST(Net, ConvolutionsMayShareTheirWeights) {
+  TestNetwork net(16, 16);
+  const std::string weights = net.Random({3, 3, 3, 3}), bias = net.Random({3});
+  const auto convolved = [&](const std::string& x) {
+    return net.Op("Conv", {x, weights, bias},
+                  {IntsAttribute("kernel_shape", {3, 3}), IntsAttribute("pads", {1, 1, 1, 1})});
+  };
+  net.Output(convolved(convolved("images")), {1, 3, 16, 16});
+  ExpectAsOpenCv(net);
+}
+
 TEST(Net, MatricesAndMeansAreAsDefined) {
   TestNetwork net(4, 2);
   const std::string flat = net.Reshaped("images", {3, 8});

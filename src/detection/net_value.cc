@@ -10,24 +10,27 @@
 #include "detection/engine.h"
 
 namespace yorb {
+namespace {
 
-struct BufferPool::Buffer {
+std::shared_ptr<float> NewBuffer(int64_t size) {
   static constexpr std::align_val_t kAlignment{64};
   static constexpr int64_t kSlack = 64;  // floats behind the end that vector kernels may read
+  const auto count = static_cast<size_t>(size + kSlack);
+  auto* data = static_cast<float*>(::operator new(count * sizeof(float), kAlignment));
+  std::fill(data, data + count, 0.f);
+  return {data, [](float* gone) { ::operator delete(gone, kAlignment); }};
+}
 
-  explicit Buffer(int64_t floats) : size(floats) {
-    const auto count = static_cast<size_t>(floats + kSlack);
-    data = static_cast<float*>(::operator new(count * sizeof(float), kAlignment));
-    std::fill(data, data + count, 0.f);
-  }
-  ~Buffer() { ::operator delete(data, kAlignment); }
-  Buffer(const Buffer&) = delete;
-  Buffer& operator=(const Buffer&) = delete;
+}  // namespace
 
-  float* data = nullptr;
-  int64_t size = 0;
-  bool is_free = false;
-};
+NetValue NewConstant(const std::vector<int64_t>& dims, NetLayout layout) {
+  NetValue value;
+  value.dims = dims;
+  value.strides = StridesOf(dims, layout);
+  value.data = NewBuffer(value.size());
+  value.is_constant = true;
+  return value;
+}
 
 std::shared_ptr<float> BufferPool::Take(int64_t size) {
   std::shared_ptr<Buffer> best;
@@ -36,11 +39,11 @@ std::shared_ptr<float> BufferPool::Take(int64_t size) {
     if (!best || buffer->size < best->size) best = buffer;
   }
   if (!best) {
-    best = std::make_shared<Buffer>(size);
+    best = std::make_shared<Buffer>(Buffer{NewBuffer(size), size});
     buffers_.push_back(best);
   }
   best->is_free = false;
-  return {best->data, [best](float*) { best->is_free = true; }};
+  return {best->data.get(), [best](float*) { best->is_free = true; }};
 }
 
 int64_t NetValue::size() const {
@@ -75,6 +78,7 @@ bool IsChannelsLast(const NetValue& value) {
 }
 
 std::vector<float> NumbersOf(const NetValue& value) {
+  if (IsDense(value)) return {value.data.get(), value.data.get() + value.size()};
   std::vector<float> numbers;
   const std::vector<int64_t> order = DenseStrides(value.dims);
   for (int64_t i = 0; i < value.size(); ++i) {

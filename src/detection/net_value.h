@@ -46,13 +46,20 @@ enum class NetLayout { kDense, kChannelsLast };
 /// The strides of a layout; channels last is for four axes.
 std::vector<int64_t> StridesOf(const std::vector<int64_t>& dims, NetLayout layout);
 
+/// A constant of zeros, to be filled; its buffer is freed with the last value in it.
+NetValue NewConstant(const std::vector<int64_t>& dims, NetLayout layout = NetLayout::kDense);
+
 /// Buffers that values share when their times do not meet. A buffer is free again when the last value in it is gone.
 class BufferPool {
  public:
   std::shared_ptr<float> Take(int64_t size);
 
  private:
-  struct Buffer;
+  struct Buffer {
+    std::shared_ptr<float> data;
+    int64_t size = 0;
+    bool is_free = false;
+  };
   std::vector<std::shared_ptr<Buffer>> buffers_;
 };
 
