@@ -19,9 +19,14 @@ void PlaceIndex::Add(uint32_t place, std::shared_ptr<const Bag> bag) {
     slot = free_slots_.back();
     free_slots_.pop_back();
   }
+  if (!bag->words.empty()) list_of_.resize(std::max(list_of_.size(), bag->words.back().word + size_t{1}));
   for (const WordWeight& entry : bag->words) {
-    if (entry.word >= with_word_.size()) with_word_.resize(entry.word + size_t{1});
-    with_word_[entry.word].push_back({slot, entry.weight});
+    uint32_t& list = list_of_[entry.word];
+    if (list == 0) {
+      list = static_cast<uint32_t>(lists_.size());
+      lists_.emplace_back();
+    }
+    lists_[list].push_back({slot, entry.weight});
   }
   slots_[slot] = {place, std::move(bag)};
   slot_of_[place] = slot;
@@ -32,7 +37,7 @@ void PlaceIndex::Remove(uint32_t place) {
   if (found == slot_of_.end()) return;
   const uint32_t slot = found->second;
   for (const WordWeight& word : slots_[slot].bag->words) {
-    std::vector<Entry>& entries = with_word_[word.word];
+    std::vector<Entry>& entries = lists_[list_of_[word.word]];
     const auto ours =
         std::find_if(entries.begin(), entries.end(), [slot](const Entry& entry) { return entry.slot == slot; });
     *ours = entries.back();
@@ -51,8 +56,8 @@ const Bag* PlaceIndex::Find(uint32_t place) const {
 std::vector<Recalled> PlaceIndex::Query(const Bag& bag, size_t max_count) const {
   std::vector<Recalled> by_slot(slots_.size());
   for (const WordWeight& word : bag.words) {
-    if (word.word >= with_word_.size()) break;
-    for (const Entry& entry : with_word_[word.word]) {
+    if (word.word >= list_of_.size()) break;
+    for (const Entry& entry : lists_[list_of_[word.word]]) {
       by_slot[entry.slot].similarity += std::min(word.weight, entry.weight);
       ++by_slot[entry.slot].shared_words;
     }

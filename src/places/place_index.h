@@ -51,7 +51,8 @@ class PlaceIndex {
   std::unordered_map<uint32_t, uint32_t> slot_of_;
   std::vector<Slot> slots_;
   std::vector<uint32_t> free_slots_;
-  std::vector<std::vector<Entry>> with_word_;  // the places that have each word
+  std::vector<uint32_t> list_of_;  // of each word, in lists_; most words are at no place, which is list 0
+  std::vector<std::vector<Entry>> lists_{1};
 };
 
 }  // namespace yorb
