@@ -4,6 +4,10 @@
 
 #include <sys/resource.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <fstream>
 #include <string>
 
@@ -33,6 +37,12 @@ double PeakRssMb() {
     if (const auto kilobytes = ParseDouble(fields[1])) return *kilobytes / 1024;
   }
   return static_cast<double>(Usage().ru_maxrss) / 1024;
+}
+
+void ReturnFreedMemory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 double CpuSeconds() {

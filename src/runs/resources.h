@@ -10,4 +10,7 @@ double PeakRssMb();
 /// Processor time of all threads of this program so far, in seconds.
 double CpuSeconds();
 
+/// Gives the system back what was freed and the C library has kept: after work that took much more than what stays.
+void ReturnFreedMemory();
+
 }  // namespace yorb

@@ -203,6 +203,7 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
   if (!loaded) return loaded.error();
   parts->slam.map = *std::move(loaded);
   run.vocabulary = parts->slam.vocabulary;
+  ReturnFreedMemory();  // of the files that all of it was made from
   if (options.out.empty()) {
     auto made = MakeDefaultRunFolder();
     if (!made) return made.error();
