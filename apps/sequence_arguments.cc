@@ -83,9 +83,9 @@ void SequenceArguments::AddTo(CLI::App& command) {
                      "live: at the pace of the time stamps");
   command.add_option(
       "--dynamics", dynamics,
-      "What is done about moving things: off; paper: points in their boxes are removed; exact: the same "
-      "with boxes that are given; full: boxes are followed, depth tells the body from the background, and "
-      "whatever else moves is found by geometry");
+      "What is done about moving things: full (the default): their boxes are followed, depth tells the body from the "
+      "background, and whatever else moves is found by geometry; paper: points in their boxes are removed; exact: the "
+      "same with boxes that are given; off: nothing");
   command.add_option("--detections", detections,
                      "A file with boxes in the detector's place: people.txt, or JSON lines of `yorb detect --json`");
   command.add_option(

@@ -51,7 +51,8 @@ Status TakeNetwork(const Config& config, RunParts& parts) {
   DetectionOptions options = config.detection;
   if (config.dynamics == "full") options.confidence = std::min(options.confidence, options.faint_confidence);
   auto detector = YoloDetector::Open(options);
-  if (!detector) return detector.error();
+  if (!detector)
+    return BadInput(detector.error().message + (options.model.empty() ? "; --dynamics off needs none" : ""));
   const std::vector<std::string>& names = (*detector)->names();
   const auto moves = [&](const std::string& name) { return parts.slam.motions.Of(name) == Motion::kHigh; };
   if (std::none_of(names.begin(), names.end(), moves)) {

@@ -35,9 +35,9 @@ struct Config {
   /// inline: one thread, same seed, same bits; offline: threads, no frame left out; live: frames that come too fast for
   /// the tracker are dropped
   std::string mode = "offline";
-  /// what is done about moving things: off: nothing; paper: points in their boxes go; exact: the same with given boxes;
-  /// full: boxes are followed, within them depth tells the body from the background, and what else moves is
-  /// found by geometry
+  /// what is done about moving things: full: their boxes are followed, within them depth tells the body from the
+  /// background, and what else moves is found by geometry; paper: points in their boxes go; exact: the same with given
+  /// boxes; off: nothing
   std::string dynamics = "full";
   std::string detections;  ///< a file of boxes in the detector's place; empty: the detector
   std::string masks;       ///< a folder of masks, or one for all frames: what is not to be used; empty: none

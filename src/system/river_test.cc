@@ -151,6 +151,27 @@ TEST(River, GivesARepeatedPictureThePoseOfTheFirst) {
   EXPECT_LT(Error(river.PoseOf(record), 21), 0.03);
 }
 
+TEST(River, KnowsARepeatedPictureByItsPixelsWhereOtherPointsAreLeftOutOfIt) {
+  const SyntheticWorld world(17, Noisy());
+  River river;
+  Sight sight;
+  sight.grey = cv::Mat(480, 640, CV_8UC1, cv::Scalar(7));
+  FrameRecord record;
+  for (int k = 0; k < 20; ++k) {
+    const FramePtr frame = world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame;
+    record = river.Push(frame, k == 19 ? sight : Sight());
+  }
+  const Rigid3 pose = river.PoseOf(record);
+  const FramePtr frozen = world.Look(PoseAt(19), FrameId(20), TimeOf(20)).frame;
+  std::vector<bool> left_out(frozen->size(), false);
+  std::fill(left_out.begin(), left_out.begin() + static_cast<std::ptrdiff_t>(left_out.size() / 3), true);
+  const FramePtr fewer = WithoutRows(frozen, left_out);
+  EXPECT_EQ(river.PoseOf(river.Push(fewer, sight)).translation, pose.translation);
+  sight.grey = sight.grey.clone();
+  sight.grey.at<uint8_t>(479, 639) = 8;
+  EXPECT_NE(river.PoseOf(river.Push(fewer, sight)).translation, pose.translation) << "one pixel differs";
+}
+
 TEST(River, WaitsForAFrameWithDepthToBegin) {
   SyntheticWorldOptions flat = Noisy();
   flat.depth_share = 0;

@@ -32,11 +32,18 @@ FramePtr WithoutDoubtful(const FramePtr& frame, Fix& fix) {
   return WithoutRows(frame, is_doubtful);
 }
 
-/// Whether both frames are of the very same picture: a driver that hands it out again under a new time stamp.
-bool IsSamePicture(const Frame& a, const Frame& b) {
+bool HaveSamePoints(const Frame& a, const Frame& b) {
   const auto is_same_place = [](const Keypoint& p, const Keypoint& q) { return p.x == q.x && p.y == q.y; };
   return a.size() > 0 && a.descriptors == b.descriptors &&
          std::equal(a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(), is_same_place);
+}
+
+bool HaveSamePixels(const cv::Mat& a, const cv::Mat& b) {
+  if (a.size() != b.size()) return false;
+  for (int y = 0; y < a.rows; ++y) {
+    if (!std::equal(a.ptr(y), a.ptr(y) + a.cols, b.ptr(y))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -78,7 +85,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
 }
 
 Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
-  if (last_.frame && IsSamePicture(*raw_frame, *last_.picture)) return StandStill();
+  if (IsPictureOfLast(*raw_frame)) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FollowKeyframe(map);
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
@@ -116,6 +123,14 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   const bool is_sure = fix.num_in_all() >= static_cast<size_t>(options_.min_inliers);
   if (!task_.only_locates && is_sure && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
   return tracked;
+}
+
+/// Whether a driver hands the last picture out again under a new time stamp. Pixels tell where they are given: which
+/// points are left out of one picture may differ from time to time.
+bool Tracker::IsPictureOfLast(const Frame& raw_frame) const {
+  if (!last_.frame) return false;
+  const bool has_pixels = !sight_.grey.empty() && !last_.grey.empty();
+  return has_pixels ? HaveSamePixels(sight_.grey, last_.grey) : HaveSamePoints(raw_frame, *last_.picture);
 }
 
 Tracked Tracker::StandStill() {
