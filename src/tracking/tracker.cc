@@ -7,6 +7,7 @@
 #include "localize/relocalizer.h"
 #include "tracking/keyframe_policy.h"
 #include "tracking/leave_out.h"
+#include "tracking/same_picture.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -30,20 +31,6 @@ FramePtr WithoutDoubtful(const FramePtr& frame, Fix& fix) {
   fix.matches = WithoutRows(std::move(fix.matches), is_doubtful);
   fix.by_depth = WithoutRows(fix.by_depth, is_doubtful);
   return WithoutRows(frame, is_doubtful);
-}
-
-bool HaveSamePoints(const Frame& a, const Frame& b) {
-  const auto is_same_place = [](const Keypoint& p, const Keypoint& q) { return p.x == q.x && p.y == q.y; };
-  return a.size() > 0 && a.descriptors == b.descriptors &&
-         std::equal(a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(), is_same_place);
-}
-
-bool HaveSamePixels(const cv::Mat& a, const cv::Mat& b) {
-  if (a.size() != b.size()) return false;
-  for (int y = 0; y < a.rows; ++y) {
-    if (!std::equal(a.ptr(y), a.ptr(y) + a.cols, b.ptr(y))) return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -85,7 +72,8 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
 }
 
 Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
-  if (IsPictureOfLast(*raw_frame)) return StandStill();
+  const bool is_known = last_.frame && IsSamePicture({*raw_frame, sight_.grey}, {*last_.picture, last_.grey});
+  if (is_known) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FollowKeyframe(map);
   FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
@@ -123,14 +111,6 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   const bool is_sure = fix.num_in_all() >= static_cast<size_t>(options_.min_inliers);
   if (!task_.only_locates && is_sure && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
   return tracked;
-}
-
-/// Whether a driver hands the last picture out again under a new time stamp. Pixels tell where they are given: which
-/// points are left out of one picture may differ from time to time.
-bool Tracker::IsPictureOfLast(const Frame& raw_frame) const {
-  if (!last_.frame) return false;
-  const bool has_pixels = !sight_.grey.empty() && !last_.grey.empty();
-  return has_pixels ? HaveSamePixels(sight_.grey, last_.grey) : HaveSamePoints(raw_frame, *last_.picture);
 }
 
 Tracked Tracker::StandStill() {

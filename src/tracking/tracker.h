@@ -94,7 +94,6 @@ class Tracker {
 
   Tracked Begin(const FramePtr& raw_frame, const Map& map);
   Tracked TrackInMap(const FramePtr& frame, const Map& map, size_t backlog);
-  bool IsPictureOfLast(const Frame& raw_frame) const;
   Tracked StandStill();
   void FollowKeyframe(const Map& map);
   Sought FindPose(const Frame& frame, const Map& map);
