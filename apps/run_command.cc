@@ -104,8 +104,9 @@ void AddRunCommand(CLI::App& program, Action& action) {
   command->add_option("--save-map", arguments->save_map,
                       "A file for the map, written whole at every end; an older map there is replaced then");
   command->add_option("--load-map", arguments->load_map, "A file of --save-map to go on from; it is only read");
-  command->add_flag("--localize-only", arguments->localizes_only,
-                    "The camera is only located in the map of --load-map, which stays as it is");
+  command->add_flag(
+      "--localize-only", arguments->localizes_only,
+      "The camera is only located in the map of --load-map, which stays as it is; any folder of pictures will do");
   command->add_option("--save-overlay", arguments->overlay,
                       "A folder for a PNG of each frame with its boxes and points, and points.csv");
   command->add_flag("--quiet", arguments->is_quiet, "Nothing on standard output; warnings still go to standard error");

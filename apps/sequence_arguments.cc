@@ -58,11 +58,11 @@ Result<std::vector<Setting>> SettingsOf(const SequenceArguments& options, const 
 }
 
 Result<std::unique_ptr<Dataset>> Open(const std::string& folder, const SequenceArguments& options,
-                                      const std::string& camera_text) {
-  if (options.camera || camera_text.empty()) return OpenDataset(folder, options.camera.value_or(""));
+                                      const std::string& camera_text, Layout layout) {
+  if (options.camera || camera_text.empty()) return OpenDataset(folder, options.camera.value_or(""), layout);
   const auto rig = ParseCameraFile(camera_text, options.config.value_or("") + ", group camera");
   if (!rig) return rig.error();
-  return OpenDataset(folder, ChosenCamera{*rig, "of the config file", true});
+  return OpenDataset(folder, ChosenCamera{*rig, "of the config file", true}, layout);
 }
 
 }  // namespace
@@ -121,7 +121,8 @@ Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   const Status valid = ValidateConfig(opened.config);
   if (!valid) return valid.error();
   if (opened.config.max_frames == 0 && options.max_frames) return BadInput("--max-frames: 0; at least 1 is expected");
-  auto dataset = Open(opened.folder, options, file.camera_text);
+  const Layout layout = opened.config.localize_only ? Layout::kAnyPictures : Layout::kRecording;
+  auto dataset = Open(opened.folder, options, file.camera_text, layout);
   if (!dataset) return dataset.error();
   opened.dataset = *std::move(dataset);
   return opened;

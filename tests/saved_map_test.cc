@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "evaluation/trajectory_io.h"
 #include "pictures/test_folder.h"
 #include "tests/synthetic_dataset.h"
 
@@ -141,6 +142,29 @@ TEST_F(Maps, LocatingLeavesTheMapAlone) {
   EXPECT_EQ(std::filesystem::last_write_time(Path("room.map")), written);
   EXPECT_EQ(Bytes("room.map"), before);
   std::filesystem::permissions(Path("room.map"), std::filesystem::perms::owner_all);
+}
+
+TEST_F(Maps, AnyFolderOfPicturesIsLocated) {
+  std::filesystem::create_directories(Path("photos"));
+  const size_t shown[] = {12, 3, 8};
+  for (size_t i = 0; i < 3; ++i) {
+    std::filesystem::copy_file(Path("room/rgb/" + std::to_string(shown[i]) + ".png"),
+                               Path("photos/" + std::to_string(i) + ".png"));
+  }
+  const Outcome run = Call("run photos --camera room/camera.yaml --load-map room.map --localize-only --quiet --out l");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const auto located = ReadTrajectoryFile(Path("l/trajectory.txt")),
+             made = ReadTrajectoryFile(Path("made/trajectory.txt"));
+  ASSERT_TRUE(located && made);
+  ASSERT_EQ(located->poses.size(), 3u);
+  ASSERT_EQ(made->poses.size(), 16u);
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(located->poses[i].timestamp.seconds(), static_cast<double>(i));
+    const auto there = made->poses[shown[i]].world_from_cam.translation;
+    EXPECT_LT((located->poses[i].world_from_cam.translation - there).norm(), 0.02);
+  }
+  ExpectRefused("holds neither", "run photos --camera room/camera.yaml --out broken");
 }
 
 TEST_F(Maps, AreExportedWithTheCountsOfInfo) {

@@ -91,13 +91,13 @@ LoadedFrame FrameWithDepth(double share, double median_m) {
 
 class Watch : public ::testing::Test {
  protected:
-  std::string Warnings(double share, double median_m) {
+  std::string Warnings(double share, double median_m, bool needs_depth = true) {
     ::testing::internal::CaptureStderr();
     Rig rig;
     rig.name = "cam";
     DepthWatch watch(rig);
     for (int i = 0; i < 20; ++i) watch.Add(FrameWithDepth(share, median_m));
-    watch.Conclude();
+    watch.Conclude(needs_depth);
     return ::testing::internal::GetCapturedStderr();
   }
 };
@@ -105,6 +105,7 @@ class Watch : public ::testing::Test {
 TEST_F(Watch, WarnsOnceOfWhatCannotBeMeant) {
   EXPECT_EQ(Warnings(0.8, 1.5), "");
   EXPECT_THAT(Warnings(0.0, 0.0), HasSubstr("no usable depth"));
+  EXPECT_EQ(Warnings(0.0, 0.0, false), "") << "in a map that is there already";
   for (const double median_m : {0.005, 7500.0}) {
     const std::string said = Warnings(0.8, median_m);
     EXPECT_THAT(said, HasSubstr("depth factor"));

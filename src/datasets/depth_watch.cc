@@ -57,8 +57,8 @@ void DepthWatch::Add(const LoadedFrame& frame) {
   if (medians_m_.size() >= kJudgedAfter) JudgeFactor();
 }
 
-void DepthWatch::Conclude() {
-  if (medians_m_.empty() && num_frames_ > 0) {
+void DepthWatch::Conclude(bool needs_depth) {
+  if (medians_m_.empty() && num_frames_ > 0 && needs_depth) {
     LogWarning("no-depth", "no usable depth in any of the " + std::to_string(num_frames_) +
                                " frames read: without depth no map begins; check the depth pictures");
   } else if (!is_judged_ && !medians_m_.empty()) {

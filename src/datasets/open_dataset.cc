@@ -76,7 +76,7 @@ std::string CameraOfFolderName(const std::string& folder) {
   return "";
 }
 
-Status CheckLayout(const std::string& folder) {
+Status CheckLayout(const std::string& folder, Layout layout) {
   if (folder.empty()) return BadInput("the name of the folder is empty; give the folder of the recording");
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
@@ -87,6 +87,7 @@ Status CheckLayout(const std::string& folder) {
   if (!error && HasTumLayout(folder)) return Status::Ok();
   if (!error) fs::directory_iterator(folder, error);  // may it be looked into?
   if (error) return BadInput("folder " + folder + " cannot be read: " + error.message());
+  if (layout == Layout::kAnyPictures) return Status::Ok();
   return BadInput(folder + " holds neither rgb.txt (with depth.txt) nor associations.txt" + HintAt(folder));
 }
 
@@ -136,16 +137,16 @@ Result<Rig> FitChosenCamera(const ChosenCamera& chosen, int width, int height) {
   return fitted->rig;
 }
 
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const std::string& camera) {
-  if (const Status layout = CheckLayout(folder); !layout) return layout.error();
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const std::string& camera, Layout layout) {
+  if (const Status there = CheckLayout(folder, layout); !there) return there.error();
   const auto chosen = ChooseCamera(folder, camera);
   if (!chosen) return chosen.error();
-  return OpenDataset(folder, *chosen);
+  return OpenDataset(folder, *chosen, layout);
 }
 
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const ChosenCamera& chosen) {
-  if (const Status layout = CheckLayout(folder); !layout) return layout.error();
-  auto lists = ReadTumLists(folder);
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const ChosenCamera& chosen, Layout layout) {
+  if (const Status there = CheckLayout(folder, layout); !there) return there.error();
+  auto lists = layout == Layout::kRecording ? ReadTumLists(folder) : ReadAnyPictures(folder);
   if (!lists) return lists.error();
   if (const Status files = LookForFiles(*lists); !files) return files.error();
   const auto first = ReadFirstPicture(lists->colour.pictures);

@@ -10,10 +10,17 @@
 
 namespace yorb {
 
+/// What is asked of a folder.
+enum class Layout {
+  kRecording,    ///< lists of colour and depth pictures in the order of time
+  kAnyPictures,  ///< pictures with or without depth and lists (`ReadAnyPictures`): a camera is only located in them
+};
+
 /// Opens a recording: finds out its layout, reads its lists, looks for every listed file, and fits the camera to the
 /// first picture. `camera` is a built-in name or a file; empty: only where the folder says which camera it is (a
 /// camera.yaml in it, or one of TUM's own folder names), else bad input that names --camera.
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const std::string& camera);
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const std::string& camera,
+                                             Layout layout = Layout::kRecording);
 
 /// The built-in camera that a folder's own name stands for (`rgbd_dataset_freiburg1_xyz` is tum_fr1); empty if none.
 std::string CameraOfFolderName(const std::string& folder);
@@ -31,9 +38,10 @@ Result<ChosenCamera> ChooseCamera(const std::string& folder, const std::string& 
 Result<Rig> FitChosenCamera(const ChosenCamera& chosen, int width, int height);
 
 /// OpenDataset with a camera that is chosen already.
-Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const ChosenCamera& chosen);
+Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const ChosenCamera& chosen,
+                                             Layout layout = Layout::kRecording);
 
 /// Bad input unless the folder is one and has a layout that is read; the complaint says what it looks like.
-Status CheckLayout(const std::string& folder);
+Status CheckLayout(const std::string& folder, Layout layout = Layout::kRecording);
 
 }  // namespace yorb

@@ -11,6 +11,7 @@
 #include "datasets/associations.h"
 #include "datasets/depth_watch.h"
 #include "pictures/picture_file.h"
+#include "pictures/picture_folder.h"
 
 namespace yorb {
 namespace {
@@ -189,6 +190,26 @@ Result<PictureList> ReadColourList(const std::string& folder) {
   if (!list) return list.error();
   if (const Status stamps = CheckStamps(*list); !stamps) return stamps.error();
   return list;
+}
+
+Result<TumLists> ReadAnyPictures(const std::string& folder) {
+  if (!AssociationsFile(folder).empty() || Exists(In(folder, "depth.txt"))) return ReadTumLists(folder);
+  TumLists lists{folder, {folder, {}}, {}, {}, false};
+  if (HasTumLayout(folder)) {
+    auto colour = ReadColourList(folder);
+    if (!colour) return colour.error();
+    lists.colour = *std::move(colour);
+  } else {
+    for (const std::string& path : PicturesUnder(folder)) {
+      const auto second = static_cast<int64_t>(lists.colour.pictures.size());
+      lists.colour.pictures.push_back(
+          {{second * 1'000'000'000}, fs::path(path).lexically_relative(folder).string(), path, 0});
+    }
+    if (lists.colour.pictures.empty()) return BadInput(folder + " holds neither lists of pictures nor pictures");
+    LogInfo(folder + " has no list: its pictures get the time stamps 0, 1, 2 and so on in the order of their names");
+  }
+  lists.depth_of.assign(lists.colour.pictures.size(), -1);
+  return lists;
 }
 
 Status LookForFiles(const TumLists& lists) {

@@ -32,6 +32,11 @@ Result<TumLists> ReadTumLists(const std::string& folder);
 /// The colour pictures alone, as ReadTumLists takes them; depth need not be there.
 Result<PictureList> ReadColourList(const std::string& folder);
 
+/// Pictures that need neither depth nor order, for a camera that is only located: the lists of a recording, be it
+/// without depth.txt; in a folder without lists all pictures under it in the order of their names, a second apart. Bad
+/// input where there is none.
+Result<TumLists> ReadAnyPictures(const std::string& folder);
+
 /// Bad input that names the first listed file that is not there, and counts the others.
 Status LookForFiles(const TumLists& lists);
 

@@ -172,6 +172,26 @@ TEST_F(Recording, TheCameraIsNamedByTheFolderOrAskedFor) {
       << "named, it is scaled with a warning";
 }
 
+TEST_F(Recording, AnyPicturesDoForACameraThatIsOnlyLocated) {
+  folder_.WritePicture("photos/b.png", TestColour(1));
+  folder_.WritePicture("photos/more/a.jpg", TestColour(2));
+  folder_.WritePicture("photos/a.png", TestColour(3));
+  const auto lists = ReadAnyPictures(folder_.Path("photos"));
+  ASSERT_TRUE(lists);
+  EXPECT_EQ(lists->NumWithDepth(), 0u);
+  std::vector<std::string> names;
+  for (const ListedPicture& picture : lists->colour.pictures) {
+    EXPECT_EQ(picture.time.seconds(), static_cast<double>(names.size()));
+    names.push_back(picture.name);
+  }
+  EXPECT_THAT(names, testing::ElementsAre("a.png", "b.png", "more/a.jpg"));
+  EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->NumWithDepth(), ReadTumLists(folder_.Path("seq"))->NumWithDepth());
+  fs::remove(folder_.Path("seq/depth.txt"));
+  EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->colour.pictures.size(), 6u);
+  fs::create_directories(folder_.Path("empty"));
+  EXPECT_THAT(ReadAnyPictures(folder_.Path("empty")).error().message, HasSubstr("empty"));
+}
+
 TEST_F(Recording, FoldersWithoutListsAreRefusedWithAHint) {
   EXPECT_THAT(Complaint("gone"), HasSubstr("does not exist"));
   EXPECT_THAT(Complaint("seq/rgb.txt"), HasSubstr("is a file"));
