@@ -66,6 +66,7 @@ Result<LightReport> Measure(const LightArguments& arguments) {
   const auto seeds = SeedsOf(arguments.seeds);
   if (!seeds) return seeds.error();
   if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
+  if (arguments.sequence.dynamics) return BadInput("--dynamics: this bench compares features, and removes nothing");
   const auto sequence = OpenSequence(arguments.sequence);
   if (!sequence) return sequence.error();
   const auto truth = ReadTruthBeside(sequence->folder);

@@ -14,7 +14,7 @@ prefix=$(cd "$scratch" && pwd)/prefix
 cmake --install "$build" --prefix "$prefix" >"$scratch/install.log" || fail "installing failed; see $scratch/install.log"
 
 for file in bin/yorb include/yorb/system/slam.h include/yorb/core/result.h lib/cmake/yorb/yorbConfig.cmake \
-            lib/libyorb_system.a share/yorb/configs/default.yaml share/doc/yorb/LICENSE; do
+            lib/libyorb_system.a lib/yorb/yorb_codecs.so share/yorb/configs/default.yaml share/doc/yorb/LICENSE; do
   [ -e "$prefix/$file" ] || fail "the installation lacks $file"
 done
 [ "$(find "$prefix/bin" -type f | wc -l)" -eq 1 ] || fail "the installation has other programs than yorb"
@@ -34,4 +34,6 @@ sequence=$(cd "$scratch" && pwd)/sequence
   "$prefix/bin/yorb" run "$sequence" --camera tum_fr1 --mode inline --out "$sequence/run" --quiet) ||
   fail "the installed program does not run"
 [ "$(grep -vc '^#' "$sequence/run/trajectory.txt")" -eq 3 ] || fail "the installed program did not track three frames"
+printf 'P6 2 2 255\n            ' >"$scratch/picture.ppm"  # neither PNG nor JPEG: read by the module
+"$prefix/bin/yorb" detect "$scratch/picture.ppm" --json >/dev/null 2>&1 || fail "the installed program does not find its module"
 echo "install: a C++17 program found, compiled and linked the installed libraries"

@@ -32,6 +32,7 @@ GUESTS = [
      "rooms that see pictures; not in core, geometry, map, optimize, places"),
     ("OpenCV's codecs", r"opencv2/(imgcodecs|videoio)", r"src/pictures/(opencv_formats/.*|\w+_test\.cc)",
      "src/pictures/opencv_formats, a module: linked to, they cost every start 60 MB; pictures/picture_file.h reads and writes"),
+    ("libpng and libjpeg", r"(png|jpeglib|jerror)\.h", r"src/pictures/\w+\.cc", "src/pictures; pictures/picture_file.h reads and writes"),
     ("nlohmann-json", r"nlohmann/", r"(src/(system|detection|datasets|evaluation|runs|experiments)|apps|tests)/.*",
      "system, detection, datasets, evaluation, runs, experiments, apps"),
     ("CLI11", r"CLI/", r"(apps|training)/.*", "apps and training"),

@@ -36,13 +36,21 @@ std::optional<std::string> InstalledFolder(const std::string& name) {
   return folder ? InstalledFolderFrom(folder->string(), name) : std::nullopt;
 }
 
-std::optional<std::string> InstalledModule(const std::string& file) {
+std::optional<std::string> InstalledModuleFrom(const std::string& start, const std::string& file) {
   std::error_code ignored;
-  for (fs::path at = FolderOfProgram().value_or(""); !at.empty(); at = at.parent_path()) {
-    if (fs::exists(at / "lib" / "yorb" / file, ignored)) return (at / "lib" / "yorb" / file).string();
-    if (at == at.root_path()) break;
+  const fs::path folder = fs::weakly_canonical(start, ignored),
+                 installed = folder.parent_path() / "lib" / "yorb" / file;
+  if (fs::exists(installed, ignored)) return installed.string();
+  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path()) {
+    const fs::path built = at / "lib" / "yorb" / file;
+    if (fs::exists(at / "CMakeCache.txt", ignored) && fs::exists(built, ignored)) return built.string();
   }
   return std::nullopt;
+}
+
+std::optional<std::string> InstalledModule(const std::string& file) {
+  const auto folder = FolderOfProgram();
+  return folder ? InstalledModuleFrom(folder->string(), file) : std::nullopt;
 }
 
 }  // namespace yorb

@@ -12,11 +12,14 @@ namespace yorb {
 /// folder. Nothing when there is none.
 std::optional<std::string> InstalledFolder(const std::string& name);
 
-/// A module that the program loads at need, such as "yorb_codecs.so": in PREFIX/lib/yorb of an installation, or in the
-/// build folder. Nothing when there is none.
+/// The same, beginning at a folder of choice instead of the program's.
+std::optional<std::string> InstalledFolderFrom(const std::string& start, const std::string& name);
+
+/// A module that the program loads at need, such as "yorb_codecs.so": in PREFIX/lib/yorb of an installation, or in
+/// lib/yorb of the build folder that the program is in. Nothing when there is none.
 std::optional<std::string> InstalledModule(const std::string& file);
 
-/// The same as InstalledFolder, beginning at a folder of choice instead of the program's.
-std::optional<std::string> InstalledFolderFrom(const std::string& start, const std::string& name);
+/// The same, beginning at a folder of choice instead of the program's.
+std::optional<std::string> InstalledModuleFrom(const std::string& start, const std::string& file);
 
 }  // namespace yorb

@@ -40,6 +40,21 @@ TEST_F(Installed, ACheckoutIsFoundFromAnyBuildFolderInIt) {
   EXPECT_EQ(InstalledFolderFrom((root_ / "build/some/apps").string(), "configs"), (root_ / "configs").string());
 }
 
+TEST_F(Installed, AModuleIsFoundInAnInstallationAndInABuildFolderOnly) {
+  fs::create_directories(root_ / "bin");
+  fs::create_directories(root_ / "build/apps");
+  for (const char* folder : {"lib/yorb", "build/lib/yorb"}) {
+    fs::create_directories(root_ / folder);
+    std::ofstream(root_ / folder / "a.so") << "a";
+  }
+  EXPECT_EQ(InstalledModuleFrom((root_ / "bin").string(), "a.so"), (root_ / "lib/yorb/a.so").string());
+  EXPECT_FALSE(InstalledModuleFrom((root_ / "bin").string(), "b.so"));
+  const std::string deeper = (root_ / "build/src/room").string();
+  EXPECT_FALSE(InstalledModuleFrom(deeper, "a.so")) << "no build folder of CMake's: somebody else's module";
+  std::ofstream(root_ / "build/CMakeCache.txt") << "";
+  EXPECT_EQ(InstalledModuleFrom(deeper, "a.so"), (root_ / "build/lib/yorb/a.so").string());
+}
+
 TEST_F(Installed, TheCurrentFolderDoesNotCount) {
   fs::create_directories(root_ / "share/yorb/no_such_folder_of_ours");
   const fs::path before = fs::current_path();

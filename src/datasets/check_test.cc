@@ -105,7 +105,7 @@ class Watch : public ::testing::Test {
 TEST_F(Watch, WarnsOnceOfWhatCannotBeMeant) {
   EXPECT_EQ(Warnings(0.8, 1.5), "");
   EXPECT_THAT(Warnings(0.0, 0.0), HasSubstr("no usable depth"));
-  EXPECT_EQ(Warnings(0.0, 0.0, false), "") << "in a map that is there already";
+  EXPECT_EQ(Warnings(0.0, 0.0, false), "") << "of a camera that is only located";
   for (const double median_m : {0.005, 7500.0}) {
     const std::string said = Warnings(0.8, median_m);
     EXPECT_THAT(said, HasSubstr("depth factor"));

@@ -60,7 +60,7 @@ void DepthWatch::Add(const LoadedFrame& frame) {
 void DepthWatch::Conclude(bool needs_depth) {
   if (medians_m_.empty() && num_frames_ > 0 && needs_depth) {
     LogWarning("no-depth", "no usable depth in any of the " + std::to_string(num_frames_) +
-                               " frames read: without depth no map begins; check the depth pictures");
+                               " frames read: without depth no map begins or grows; check the depth pictures");
   } else if (!is_judged_ && !medians_m_.empty()) {
     JudgeFactor();
   }

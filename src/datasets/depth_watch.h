@@ -15,7 +15,7 @@ DepthGlance GlanceAt(const DepthImage& depth);
 
 /// Watches the depth that a run reads and warns, once each, where it cannot be meant: a depth factor under which the
 /// scene is nearer than 0.1 m or farther than 30 m, and a sequence without any depth. Fed by whoever loads the frames:
-/// Add after each Load, Conclude at the end; a run in a map that is there already needs no depth.
+/// Add after each Load, Conclude at the end; a camera that is only located needs no depth.
 class DepthWatch {
  public:
   explicit DepthWatch(const Rig& rig) : camera_(rig.name), depth_factor_(rig.depth_factor) {}

@@ -14,6 +14,7 @@
 #include "datasets/associate.h"
 #include "datasets/tum.h"
 #include "pictures/picture_file.h"
+#include "pictures/picture_folder.h"
 
 namespace yorb {
 namespace {
@@ -87,8 +88,10 @@ Status CheckLayout(const std::string& folder, Layout layout) {
   if (!error && HasTumLayout(folder)) return Status::Ok();
   if (!error) fs::directory_iterator(folder, error);  // may it be looked into?
   if (error) return BadInput("folder " + folder + " cannot be read: " + error.message());
-  if (layout == Layout::kAnyPictures) return Status::Ok();
-  return BadInput(folder + " holds neither rgb.txt (with depth.txt) nor associations.txt" + HintAt(folder));
+  const bool wants_any = layout == Layout::kAnyPictures;
+  if (wants_any && !PicturesIn(folder).empty()) return Status::Ok();
+  return BadInput(folder + " holds neither rgb.txt (with depth.txt) nor associations.txt" +
+                  (wants_any ? ", nor pictures" : "") + HintAt(folder));
 }
 
 Result<ChosenCamera> ChooseCamera(const std::string& folder, const std::string& camera) {

@@ -200,12 +200,11 @@ Result<TumLists> ReadAnyPictures(const std::string& folder) {
     if (!colour) return colour.error();
     lists.colour = *std::move(colour);
   } else {
-    for (const std::string& path : PicturesUnder(folder)) {
+    for (const std::string& path : PicturesIn(folder)) {
       const auto second = static_cast<int64_t>(lists.colour.pictures.size());
       lists.colour.pictures.push_back(
           {{second * 1'000'000'000}, fs::path(path).lexically_relative(folder).string(), path, 0});
     }
-    if (lists.colour.pictures.empty()) return BadInput(folder + " holds neither lists of pictures nor pictures");
     LogInfo(folder + " has no list: its pictures get the time stamps 0, 1, 2 and so on in the order of their names");
   }
   lists.depth_of.assign(lists.colour.pictures.size(), -1);

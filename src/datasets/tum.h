@@ -33,8 +33,7 @@ Result<TumLists> ReadTumLists(const std::string& folder);
 Result<PictureList> ReadColourList(const std::string& folder);
 
 /// Pictures that need neither depth nor order, for a camera that is only located: the lists of a recording, be it
-/// without depth.txt; in a folder without lists all pictures under it in the order of their names, a second apart. Bad
-/// input where there is none.
+/// without depth.txt; in a folder without lists the pictures in it, in the order of their names, a second apart.
 Result<TumLists> ReadAnyPictures(const std::string& folder);
 
 /// Bad input that names the first listed file that is not there, and counts the others.

@@ -174,7 +174,8 @@ TEST_F(Recording, TheCameraIsNamedByTheFolderOrAskedFor) {
 
 TEST_F(Recording, AnyPicturesDoForACameraThatIsOnlyLocated) {
   folder_.WritePicture("photos/b.png", TestColour(1));
-  folder_.WritePicture("photos/more/a.jpg", TestColour(2));
+  folder_.WritePicture("photos/c.jpg", TestColour(2));
+  folder_.WritePicture("photos/depth/a.png", TestDepth());
   folder_.WritePicture("photos/a.png", TestColour(3));
   const auto lists = ReadAnyPictures(folder_.Path("photos"));
   ASSERT_TRUE(lists);
@@ -184,12 +185,14 @@ TEST_F(Recording, AnyPicturesDoForACameraThatIsOnlyLocated) {
     EXPECT_EQ(picture.time.seconds(), static_cast<double>(names.size()));
     names.push_back(picture.name);
   }
-  EXPECT_THAT(names, testing::ElementsAre("a.png", "b.png", "more/a.jpg"));
+  EXPECT_THAT(names, testing::ElementsAre("a.png", "b.png", "c.jpg"));
   EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->NumWithDepth(), ReadTumLists(folder_.Path("seq"))->NumWithDepth());
   fs::remove(folder_.Path("seq/depth.txt"));
   EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->colour.pictures.size(), 6u);
   fs::create_directories(folder_.Path("empty"));
-  EXPECT_THAT(ReadAnyPictures(folder_.Path("empty")).error().message, HasSubstr("empty"));
+  EXPECT_THAT(CheckLayout(folder_.Path("empty"), Layout::kAnyPictures).error().message, HasSubstr("nor pictures"));
+  EXPECT_TRUE(CheckLayout(folder_.Path("photos"), Layout::kAnyPictures));
+  EXPECT_FALSE(CheckLayout(folder_.Path("photos")));
 }
 
 TEST_F(Recording, FoldersWithoutListsAreRefusedWithAHint) {

@@ -10,8 +10,8 @@
 #include "datasets/open_dataset.h"
 #include "datasets/picture_list.h"
 #include "evaluation/trajectory_io.h"
-#include "pictures/endings.h"
 #include "pictures/picture_file.h"
+#include "pictures/picture_folder.h"
 
 namespace yorb {
 namespace {
@@ -33,14 +33,10 @@ Result<PictureSet> OpenLoosePictures(PictureSet set, const std::string& place) {
     set.paths.push_back(place);
     return set;
   }
-  fs::directory_iterator entries(place, error);
+  fs::directory_iterator(place, error);  // may it be looked into?
   if (error) return BadInput("folder " + place + " cannot be read: " + error.message());
-  for (const fs::directory_entry& entry : entries) {
-    const std::string path = entry.path().string();
-    if (entry.is_regular_file(error) && HasPictureEnding(path)) set.paths.push_back(path);
-  }
+  set.paths = PicturesIn(place);
   if (set.paths.empty()) return BadInput("folder " + place + " holds no pictures and no sequence");
-  std::sort(set.paths.begin(), set.paths.end());
   return set;
 }
 

@@ -87,6 +87,7 @@ Result<std::optional<LightRun>> RunTask(const Dataset& dataset, const LightTask&
   const Stopwatch watch;
   Config config = options.config;
   config.mode = "inline";
+  config.dynamics = "off";
   config.seed = task.seed;
   config.features = task.front_end.features;
   // Steady light means the recording as it is; the others bring the noise that goes with less light.

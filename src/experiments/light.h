@@ -29,7 +29,7 @@ std::vector<NamedFeatures> LightFrontEnds(const FeatureOptions& ours);
 
 /// What is run.
 struct LightBenchOptions {
-  Config config;                  ///< mode is not used: inline, so that it repeats to the bit
+  Config config;                  ///< mode and dynamics are not used: inline, so that it repeats to the bit, and off
   std::vector<LightKind> lights;  ///< steady light is always run, for comparison
   int num_seeds = 1;              ///< the config's and the following, of light and of SLAM alike
   Trajectory truth;               ///< empty: no errors

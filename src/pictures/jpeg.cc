@@ -93,7 +93,10 @@ DecodedPicture::Kind DecodeInto(const std::string& bytes, Decoding& decoding, cv
 /// As above.
 bool EncodeInto(const cv::Mat& picture, int quality, Encoding& encoding) {
   jpeg_compress_struct& info = encoding.info;
-  if (setjmp(encoding.leave) != 0) return false;
+  if (setjmp(encoding.leave) != 0) {
+    encoding.bytes = nullptr;  // where the memory ran out, the library may have freed it
+    return false;
+  }
   jpeg_create_compress(&info);
   jpeg_mem_dest(&info, &encoding.bytes, &encoding.size);
   info.image_width = static_cast<JDIMENSION>(picture.cols);

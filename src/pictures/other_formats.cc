@@ -12,13 +12,15 @@ namespace {
 constexpr const char* kModule = "yorb_codecs.so";
 
 Result<const OtherFormats*> Load() {
-  const std::string file = InstalledModule(kModule).value_or(kModule);
-  void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // never closed: its threads outlive us
+  const std::string needed = std::string("needs yorb's module for formats other than PNG and JPEG, ") + kModule;
+  const auto file = InstalledModule(kModule);
+  if (!file) return Failure(needed + ", which is not beside the program; install yorb anew, or convert to PNG");
+  void* const module = ::dlopen(file->c_str(), RTLD_NOW | RTLD_LOCAL);  // never closed: its threads outlive us
   using Door = const OtherFormats* (*)();
   const auto door = module ? reinterpret_cast<Door>(::dlsym(module, "YorbOtherFormats")) : nullptr;
   if (door == nullptr) {
-    return Failure("needs yorb's module for formats other than PNG and JPEG, " + file +
-                   ", which cannot be loaded; install yorb anew");
+    const char* const reason = ::dlerror();
+    return Failure(needed + ", which cannot be loaded: " + (reason ? reason : "it is of another version"));
   }
   return door();
 }

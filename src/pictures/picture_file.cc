@@ -3,6 +3,7 @@
 #include "pictures/picture_file.h"
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/imgproc.hpp>
@@ -85,11 +86,19 @@ std::string FaultOfPictureBytes(const std::string& bytes) {
 
 namespace {
 
+DecodedPicture DecodeCommon(const std::string& bytes) {
+  try {
+    if (bytes.compare(0, 2, "\xff\xd8") == 0) return DecodeJpeg(bytes);
+    if (bytes.compare(0, 4, "\x89PNG") == 0) return DecodePng(bytes);
+  } catch (const std::exception&) {  // more pixels than memory
+    return {DecodedPicture::Kind::kDamaged, {}};
+  }
+  return {};
+}
+
 /// By what the bytes begin with; whatever is left over goes to the other formats.
 StoredPicture Decode(const std::string& bytes) {
-  DecodedPicture picture;
-  if (bytes.compare(0, 2, "\xff\xd8") == 0) picture = DecodeJpeg(bytes);
-  if (bytes.compare(0, 4, "\x89PNG") == 0) picture = DecodePng(bytes);
+  DecodedPicture picture = DecodeCommon(bytes);
   if (picture.kind == DecodedPicture::Kind::kDamaged) return {{}, kDamaged};
   if (picture.kind == DecodedPicture::Kind::kWhole) return {picture.pixels, ""};
   const auto others = LoadOtherFormats();

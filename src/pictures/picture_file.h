@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+// Room: pictures. Picture files and videos to pixels, and back.
+// Takes: paths, bytes, pixels. Gives: pixels as stored, or the fault of a file; bytes to be written; the names of
+// pictures in folders. Owns: the module for other formats, once it is loaded. Runs on: whichever thread calls; a Video
+// is its owner's. May not: know cameras, depth units or recordings.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -13,21 +13,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<fs::path> EntriesOf(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().filename().string().front() != '.') entries.push_back(entry->path());
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
 void Collect(const fs::path& folder, std::set<fs::path>& seen, std::vector<std::string>& pictures) {
   std::error_code error;
   const fs::path place = fs::canonical(folder, error);
   if (error || !seen.insert(place).second) return;
-  std::vector<fs::path> entries;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    entries.push_back(entry->path());
-  std::sort(entries.begin(), entries.end());
-  for (const fs::path& entry : entries) {
-    const std::string name = entry.filename().string();
-    if (name.front() == '.') continue;
+  for (const fs::path& entry : EntriesOf(folder)) {
     std::error_code ignored;
     if (fs::is_directory(entry, ignored)) {
       Collect(entry, seen, pictures);
-    } else if (HasPictureEnding(name)) {
+    } else if (HasPictureEnding(entry.filename().string())) {
       pictures.push_back(entry.string());
     }
   }
@@ -39,6 +43,16 @@ std::vector<std::string> PicturesUnder(const std::string& folder) {
   std::set<fs::path> seen;
   std::vector<std::string> pictures;
   Collect(folder, seen, pictures);
+  return pictures;
+}
+
+std::vector<std::string> PicturesIn(const std::string& folder) {
+  std::vector<std::string> pictures;
+  for (const fs::path& entry : EntriesOf(folder)) {
+    std::error_code ignored;
+    if (HasPictureEnding(entry.filename().string()) && !fs::is_directory(entry, ignored))
+      pictures.push_back(entry.string());
+  }
   return pictures;
 }
 

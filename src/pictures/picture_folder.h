@@ -11,4 +11,7 @@ namespace yorb {
 /// Linked folders are followed, each place once; hidden files and folders are passed over.
 std::vector<std::string> PicturesUnder(const std::string& folder);
 
+/// The same of the folder itself, without those below it.
+std::vector<std::string> PicturesIn(const std::string& folder);
+
 }  // namespace yorb

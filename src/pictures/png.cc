@@ -59,10 +59,10 @@ class Png {
 int AskForRows(png_structp png, png_infop info) {
   const int kind = png_get_color_type(png, info), bits = png_get_bit_depth(png, info);
   const bool is_palette = kind == PNG_COLOR_TYPE_PALETTE, is_colour = (kind & PNG_COLOR_MASK_COLOR) != 0;
-  const bool has_alpha =
-      (kind & PNG_COLOR_MASK_ALPHA) != 0 || (is_palette && png_get_valid(png, info, PNG_INFO_tRNS) != 0);
+  const bool has_transparent = is_colour && png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+  const bool has_alpha = (kind & PNG_COLOR_MASK_ALPHA) != 0 || has_transparent;
   if (is_palette) png_set_palette_to_rgb(png);
-  if (is_palette && has_alpha) png_set_tRNS_to_alpha(png);
+  if (has_transparent) png_set_tRNS_to_alpha(png);
   if (!is_colour && bits < 8) png_set_expand_gray_1_2_4_to_8(png);
   if (!is_colour && has_alpha) png_set_gray_to_rgb(png);
   if (is_colour) png_set_bgr(png);

@@ -30,7 +30,7 @@ void ExpectSame(const cv::Mat& ours, const cv::Mat& theirs) {
 /// A PNG of any kind, as libpng writes it: rows of random bytes.
 struct Form {
   int kind, bits, interlace = PNG_INTERLACE_NONE;
-  bool has_transparent_index = false;
+  bool has_transparent = false;
 };
 
 std::string Written(const Form& form) {
@@ -50,8 +50,10 @@ std::string Written(const Form& form) {
   for (size_t i = 0; i < palette.size(); ++i)
     palette[i] = {static_cast<png_byte>(i * 7), static_cast<png_byte>(255 - i), static_cast<png_byte>(i * 3 + 1)};
   png_byte transparent[] = {0, 128};
+  png_color_16 transparent_colour{0, 12, 34, 56, 0};
   if (form.kind == PNG_COLOR_TYPE_PALETTE) png_set_PLTE(png, info, palette.data(), static_cast<int>(palette.size()));
-  if (form.has_transparent_index) png_set_tRNS(png, info, transparent, 2, nullptr);
+  if (form.has_transparent && form.kind == PNG_COLOR_TYPE_PALETTE) png_set_tRNS(png, info, transparent, 2, nullptr);
+  if (form.has_transparent && form.kind == PNG_COLOR_TYPE_RGB) png_set_tRNS(png, info, nullptr, 0, &transparent_colour);
   png_write_info(png, info);
   cv::Mat rows(kHeight, 8 * kWidth, CV_8UC1);
   cv::RNG(7).fill(rows, cv::RNG::UNIFORM, 0, 256);
@@ -83,6 +85,8 @@ TEST(Png, EveryKindIsTheBitsThatOpenCvGives) {
       {PNG_COLOR_TYPE_PALETTE, 4},
       {PNG_COLOR_TYPE_PALETTE, 8},
       {PNG_COLOR_TYPE_PALETTE, 8, PNG_INTERLACE_NONE, true},
+      {PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_NONE, true},
+      {PNG_COLOR_TYPE_RGB, 16, PNG_INTERLACE_NONE, true},
   };
   for (const Form& form : forms) {
     SCOPED_TRACE("kind " + std::to_string(form.kind) + ", " + std::to_string(form.bits) + " bits");

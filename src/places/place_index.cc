@@ -19,8 +19,8 @@ void PlaceIndex::Add(uint32_t place, std::shared_ptr<const Bag> bag) {
     slot = free_slots_.back();
     free_slots_.pop_back();
   }
-  if (!bag->words.empty()) list_of_.resize(std::max(list_of_.size(), bag->words.back().word + size_t{1}));
   for (const WordWeight& entry : bag->words) {
+    if (entry.word >= list_of_.size()) list_of_.resize(entry.word + size_t{1});
     uint32_t& list = list_of_[entry.word];
     if (list == 0) {
       list = static_cast<uint32_t>(lists_.size());

@@ -105,7 +105,7 @@ void FeedFrames(const Dataset& dataset, const Config& config, Slam& slam, const 
     log.read_ms.push_back(frame->read_ms);
     if (hooks.after_frame) hooks.after_frame(log);
   }
-  depth.Conclude(config.load_map.empty());
+  depth.Conclude(!config.localize_only);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "core/files.h"
 #include "core/text.h"
-#include "pictures/png.h"
+#include "pictures/picture_file.h"
 #include "runs/draw_boxes.h"
 
 namespace yorb {
@@ -83,7 +83,7 @@ void OverlayWriter::Write(const Watched& watched) {
   }
   const std::string file = (std::filesystem::path(folder_) / (time + ".png")).string();
   if (!status_) return;
-  const auto bytes = EncodePng(DrawJudgement(watched));
+  const auto bytes = EncodePictureFor(file, DrawJudgement(watched));
   status_ = bytes ? WriteFileQuickly(file, *bytes) : Status(bytes.error());
   if (status_ && !points_.flush()) status_ = Failure(folder_ + "/points.csv cannot be written; is the disk full?");
 }

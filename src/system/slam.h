@@ -58,7 +58,7 @@ struct Watched {
 /// What a system gets from outside.
 struct SlamParts {
   MapSnapshot map;                               ///< to go on from, or to be located in; null: a new one is begun
-  std::unique_ptr<Detector> detector;            ///< null: nothing is detected
+  std::unique_ptr<Detector> detector;            ///< null: with `full`, geometry alone finds what moves
   MotionTable motions = MotionTable::Default();  ///< how the classes of its boxes move
   VocabularyPtr vocabulary;                      ///< null: no place is recognised by its words
   std::function<void(const Watched&)> watch;     ///< called for each picture, on the thread that tracks; may be empty

@@ -9,7 +9,7 @@ namespace {
 
 bool HaveSamePoints(const Frame& a, const Frame& b) {
   const auto is_same_place = [](const Keypoint& p, const Keypoint& q) { return p.x == q.x && p.y == q.y; };
-  return a.size() > 0 && a.descriptors == b.descriptors &&
+  return a.descriptors == b.descriptors &&
          std::equal(a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(), is_same_place);
 }
 
@@ -24,6 +24,7 @@ bool HaveSamePixels(const cv::Mat& a, const cv::Mat& b) {
 }  // namespace
 
 bool IsSamePicture(const PictureOfFrame& a, const PictureOfFrame& b) {
+  if (a.frame.size() == 0 || b.frame.size() == 0) return false;
   const bool has_pixels = !a.grey.empty() && !b.grey.empty();
   return has_pixels ? HaveSamePixels(a.grey, b.grey) : HaveSamePoints(a.frame, b.frame);
 }

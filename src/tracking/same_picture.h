@@ -15,7 +15,8 @@ struct PictureOfFrame {
 };
 
 /// Whether both are the very same picture: a driver hands it out again under a new time stamp. Pixels tell where both
-/// have them, since which points are left out of a picture may differ from time to time; otherwise all points do.
+/// have them, since which points are left out of a picture may differ from time to time; otherwise all points do. Never
+/// where no points are: black pictures are all alike.
 bool IsSamePicture(const PictureOfFrame& a, const PictureOfFrame& b);
 
 }  // namespace yorb

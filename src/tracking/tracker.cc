@@ -72,7 +72,8 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
 }
 
 Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t backlog) {
-  const bool is_known = last_.frame && IsSamePicture({*raw_frame, sight_.grey}, {*last_.picture, last_.grey});
+  const bool is_known =
+      last_.frame && last_.num_blind == 0 && IsSamePicture({*raw_frame, sight_.grey}, {*last_.picture, last_.grey});
   if (is_known) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FollowKeyframe(map);
