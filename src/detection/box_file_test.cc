@@ -8,7 +8,7 @@
 #include "core/log.h"
 #include "detection/file_detector.h"
 #include "detection/motion_category.h"
-#include "detection/test_network_folder.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {
@@ -17,7 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 Result<BoxFile> Read(const std::string& text) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   return ReadBoxFile(folder.Write("boxes.txt", text));
 }
 
@@ -151,7 +151,7 @@ TEST(MotionTable, GoesByNameHoweverItIsSpelt) {
 }
 
 TEST(MotionTable, AFileIsLaidOverTheBuiltInOne) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   const auto table =
       ReadMotionTable(folder.Write("classes.txt", "# motion\r\n0 person static\r\n1 robot arm high\nvase low\n"));
   ASSERT_TRUE(table) << table.error().message;

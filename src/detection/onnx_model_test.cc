@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "detection/test_network.h"
-#include "detection/test_network_folder.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {
@@ -103,7 +103,7 @@ TEST(Onnx, HalvesAreReadAsFloats) {
 }
 
 TEST(Onnx, WeightsInAnotherFileAreReadOrTheFileIsNamed) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   const auto entry = [](const std::string& key, const std::string& value) {
     return Bytes(13, Bytes(1, key) + Bytes(2, value));
   };

@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "detection/test_network.h"
-#include "detection/test_network_folder.h"
 #include "detection/yolo_detector.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {
@@ -47,7 +47,7 @@ cv::Mat OneRed(int width, int height) {
   return bgr;
 }
 
-Result<std::unique_ptr<YoloDetector>> Open(const NetworkFolder& folder, const TestNetwork& net) {
+Result<std::unique_ptr<YoloDetector>> Open(const TestFolder& folder, const TestNetwork& net) {
   DetectionOptions options;
   options.model = folder.Write("net.onnx", net.Bytes());
   return YoloDetector::Open(options);
@@ -72,7 +72,7 @@ TEST(InputSizeFor, TheLongerSideIsKeptAndTheOtherFollows) {
 }
 
 TEST(FitToPictures, EveryShapeShowsTheSame) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   auto detector = Open(folder, RedCells());
   ASSERT_TRUE(detector) << detector.error().message;
   ExpectOneRed(**detector, OneRed(64, 64), 1);
@@ -87,7 +87,7 @@ TEST(FitToPictures, EveryShapeShowsTheSame) {
 }
 
 TEST(FitToPictures, TheFileSaysHowLarge) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   TestNetwork net = RedCells();
   net.model.metadata["stills"] = "128";
   auto detector = Open(folder, net);
@@ -98,7 +98,7 @@ TEST(FitToPictures, TheFileSaysHowLarge) {
 }
 
 TEST(FitToPictures, ANetworkOfOneSizeKeepsIt) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   auto detector = Open(folder, TwoColourNetwork());
   ASSERT_TRUE(detector) << detector.error().message;
   EXPECT_TRUE((*detector)->FitToPictures(0));

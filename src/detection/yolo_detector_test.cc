@@ -9,7 +9,7 @@
 
 #include "detection/class_names.h"
 #include "detection/test_network.h"
-#include "detection/test_network_folder.h"
+#include "pictures/test_folder.h"
 
 namespace yorb {
 namespace {
@@ -25,7 +25,7 @@ cv::Mat RedAndGreen() {
 }
 
 Result<std::vector<Box>> BoxesOf(const TestNetwork& net, const std::string& engine, const cv::Mat& picture) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   DetectionOptions options;
   options.model = folder.Write("net.onnx", net.Bytes());
   options.engine = engine;
@@ -105,7 +105,7 @@ TEST(YoloDetector, RawMapsFindTheirAnchorsAndLogits) {
 }
 
 TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   DetectionOptions options;
   options.model = folder.Write("net.onnx", TwoColourNetwork(false).Bytes());
   EXPECT_EQ((*YoloDetector::Open(options))->names(), (std::vector<std::string>{"class0", "class1"}));
@@ -116,7 +116,7 @@ TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {
 }
 
 TEST(YoloDetector, TheSizeIsTheFilesOrItsMetadatasOrTheUsers) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   DetectionOptions options;
   const auto size_of = [&](const TestNetwork& net) {
     options.model = folder.Write("net.onnx", net.Bytes());
@@ -153,7 +153,7 @@ TEST(YoloDetector, EightyClassesWithoutNamesAreCocos) {
   net.Output(net.Op("Mul", {net.Constant({1, 84, 84}, std::vector<float>(84 * 84, 0)),
                             net.Reshaped(net.Op("GlobalAveragePool", {net.Conv("images", 3, 1, 1, 1)}), {1, 1, 1})}),
              {1, 84, 84});
-  const NetworkFolder folder;
+  const TestFolder folder;
   DetectionOptions options;
   options.model = folder.Write("net.onnx", net.Bytes());
   const auto detector = YoloDetector::Open(options);
@@ -162,7 +162,7 @@ TEST(YoloDetector, EightyClassesWithoutNamesAreCocos) {
 }
 
 TEST(YoloDetector, WhatIsNoDetectorIsRefusedByNameBeforeItRuns) {
-  const NetworkFolder folder;
+  const TestFolder folder;
   const auto complaint = [&](const std::string& bytes) {
     DetectionOptions options;
     options.model = folder.Write("bad.onnx", bytes);

@@ -6,6 +6,8 @@
 
 namespace yorb {
 
+inline constexpr double kMostPixels = 1 << 28;  ///< of a picture; one with as many is left to others
+
 /// What became of the bytes of a picture file.
 struct DecodedPicture {
   enum class Kind {

@@ -63,7 +63,6 @@ void SayNothingOfJpeg(j_common_ptr) {}
 }
 
 bool IsCommon(const jpeg_decompress_struct& info) {
-  constexpr double kMostPixels = 1 << 28;
   const bool is_grey = info.num_components == 1, is_colour = info.num_components == 3;
   return (is_grey || is_colour) && info.data_precision == 8 &&
          static_cast<double>(info.image_width) * info.image_height < kMostPixels;

@@ -72,7 +72,6 @@ int AskForRows(png_structp png, png_infop info) {
 
 /// The part that the library may leave by a jump: nothing in it may need a destructor.
 DecodedPicture::Kind DecodeInto(png_structp png, png_infop info, Source& source, cv::Mat& pixels) {
-  constexpr double kMostPixels = 1 << 28;
   if (setjmp(png_jmpbuf(png)) != 0) return DecodedPicture::Kind::kDamaged;
   png_set_read_fn(png, &source, TakeBytes);
   png_read_info(png, info);

@@ -36,9 +36,11 @@ class TestFolder {
     return name.empty() ? root_.string() : (root_ / name).string();
   }
 
-  void Write(const std::string& name, const std::string& content) const {
+  /// Gives the file's path.
+  std::string Write(const std::string& name, const std::string& content) const {
     std::filesystem::create_directories((root_ / name).parent_path());
     std::ofstream(root_ / name, std::ios::binary) << content;
+    return Path(name);
   }
 
   void WritePicture(const std::string& name, const cv::Mat& picture) const {
