@@ -77,6 +77,14 @@ void ReadSingleDistortion(KeyReader& reader, const std::string& prefix, Pinhole&
   for (size_t i = 0; i < count; ++i) camera.distortion[i] = reader.Number(prefix + names[i]);
 }
 
+/// The one key about the shutter, of all formats: none of the others has a word for it.
+void ReadShutter(KeyReader& reader, Rig& rig) {
+  rig.readout_s = reader.Number("readout_s", 0);
+  if (rig.readout_s < 0 || rig.readout_s > kLongestReadout) {
+    reader.Refuse("readout_s", "must be between 0 and " + FormatShortest(kLongestReadout) + " seconds");
+  }
+}
+
 /// What our own format says about depth and time; the calibration formats may hold these keys too.
 void ReadDepthKeys(KeyReader& reader, Rig& rig) {
   const double baseline = reader.Positive("baseline_m", kVirtualBaseline);
@@ -87,10 +95,7 @@ void ReadDepthKeys(KeyReader& reader, Rig& rig) {
   rig.close_factor = reader.Positive("close_factor", kDefaultCloseFactor);
   rig.depth_factor = reader.Positive("depth_factor", 0);
   rig.fps = reader.Positive("fps", 0);
-  rig.readout_s = reader.Number("readout_s", 0);
-  if (rig.readout_s < 0 || rig.readout_s > kLongestReadout) {
-    reader.Refuse("readout_s", "must be between 0 and " + FormatShortest(kLongestReadout) + " seconds");
-  }
+  ReadShutter(reader, rig);
 }
 
 /// Refuses a key that is none of `known`, with the nearest of them.
@@ -153,7 +158,8 @@ const std::vector<std::string>& OrbSlamKeys() {
                                   "baseline_px",
                                   "baseline_m",
                                   "close_factor",
-                                  "depth_factor"};
+                                  "depth_factor",
+                                  "readout_s"};
     for (const char* name : {"fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}) {
       list.push_back(std::string("Camera.") + name);
       list.push_back(std::string("Camera1.") + name);
@@ -240,6 +246,7 @@ Rig ReadOrbSlam(KeyReader& reader) {
   if (type != "rectified") ReadSingleDistortion(reader, prefix, camera);
   CheckPinhole(reader, camera, keys);
   ReadOrbSlamDepth(reader, rig);
+  ReadShutter(reader, rig);
   rig.fps = std::max(0.0, reader.Number("Camera.fps", 0));  // ORB-SLAM, too, takes 0 for "not known"
   rig.name = reader.Word("Camera.name", "");
   return rig;

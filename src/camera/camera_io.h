@@ -28,7 +28,8 @@ namespace yorb {
 //
 // Read as well: ORB-SLAM2 and ORB-SLAM3 settings (and OpenVSLAM's, which are near to them), ROS camera_info, OpenCV
 // calibrations, Kalibr's camchain of one camera, EuRoC's sensor.yaml. The calibration formats do not speak of depth:
-// depth_factor, baseline_*, close_factor, readout_s and fps may be added to them as top-level keys of the names above.
+// depth_factor, baseline_*, close_factor, readout_s and fps may be added to them as top-level keys of the names above;
+// to ORB-SLAM's settings, too, but for fps.
 //
 // A file that states no depth factor gives a rig with depth_factor 0, "not known", and one without a rate fps 0. No
 // default is taken for the depth factor, since a wrong one is a wrong scale: datasets refuses it when it meets a 16-bit

@@ -133,6 +133,12 @@ TEST(OrbSlamFile, MisspeltCameraKeysAreRefusedWithTheNearest) {
   EXPECT_THAT(Complaint(Replaced(kOrb2, "Camera.width", "Camera.widht")), HasSubstr("Camera.width"));
 }
 
+TEST(OrbSlamFile, MayStateAShutter) {
+  EXPECT_EQ(Read(std::string(kOrb2) + "\nreadout_s: 0.026\n").readout_s, 0.026);
+  EXPECT_THAT(Complaint(std::string(kOrb2) + "\nreadout_s: 26\n"), HasSubstr("readout_s"));
+  EXPECT_THAT(Complaint(std::string(kOrb2) + "\nreadoutt_s: 0.026\n"), HasSubstr("readout_s"));
+}
+
 TEST(OrbSlamFile, WithoutDepthFactorSaysSoInsteadOfGuessing) {
   EXPECT_EQ(Read(Replaced(kOrb2, "DepthMapFactor: 5000.0\n", "")).depth_factor, 0);
 }

@@ -4,89 +4,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace yorb {
 namespace {
 
-constexpr float kBinM = 0.05f;        // of the histogram of depths
-constexpr int kBins = 240;            // up to 12 m, farther than such sensors see
-constexpr int kWindowBins = 6;        // 0.3 m: a torso
-constexpr float kFrontM = 0.25f;      // from the plane of a body to its arms
-constexpr float kBackM = 0.15f;       // and to its back
-constexpr double kGrow = 0.1;         // of the box, on each side
-constexpr double kRing = 0.25;        // width of the surroundings, of the box's sides
-constexpr float kLeastMeasured = 24;  // cells
-constexpr float kMemory = 1.5f;       // how many times more being near the last depth is worth
-constexpr float kSameM = 0.4f;        // how far a body may go from picture to picture
+constexpr double kGrow = 0.1;          // of the box, on each side
+constexpr double kRing = 0.25;         // width of the surroundings, of the box's sides
+constexpr float kLeastAround = 0.25f;  // of the cells of a box, so that its surroundings have their full say
+constexpr float kLeastMeasured = 24;   // cells
+constexpr int kStep = 2;               // cells, in sums that need not be finer
 
-using Histogram = std::array<float, kBins>;
+/// Cells that were measured, and how many of them are at a body.
+struct Counts {
+  float measured = 0, on_body = 0;
 
-size_t BinOf(float metres) { return static_cast<size_t>(std::min(static_cast<int>(metres / kBinM), kBins - 1)); }
-
-float DepthOf(int bin) { return (static_cast<float>(bin) + 0.5f) * kBinM; }
-
-/// Depths in a box, those in the middle columns counting more.
-Histogram Inside(const BodySearch& search, const CellRange& range) {
-  Histogram counts{};
-  const float middle = 0.5f * static_cast<float>(range.left + range.right - 1);
-  const float half = 0.5f * static_cast<float>(range.right - range.left);
-  for (int row = range.top; row < range.bottom; ++row) {
-    for (int column = range.left; column < range.right; ++column) {
-      const size_t cell = search.depth.IndexOf(column, row);
-      const float metres = search.depth.At(column, row);
-      const float off = (static_cast<float>(column) - middle) / half;
-      if (metres > 0 && search.taken[cell] == 0) counts[BinOf(metres)] += 1.2f - off * off;
-    }
-  }
-  return counts;
-}
-
-/// Measured cells of a box, those that are taken included.
-float CountMeasured(const DepthCells& depth, const CellRange& range) {
-  float count = 0;
-  for (int row = range.top; row < range.bottom; ++row) {
-    for (int column = range.left; column < range.right; ++column) count += depth.At(column, row) > 0 ? 1.f : 0.f;
-  }
-  return count;
-}
-
-/// Depths around a box that lie in no other box.
-Histogram Around(const BodySearch& search, const Box& box) {
-  const CellRange inner = search.depth.RangeOf(box);
-  const CellRange outer = search.depth.RangeOf(box, kRing * std::min(box.width(), box.height()));
-  Histogram counts{};
-  for (int row = outer.top; row < outer.bottom; ++row) {
-    for (int column = outer.left; column < outer.right; ++column) {
-      if (row >= inner.top && row < inner.bottom && column == inner.left) column = inner.right;
-      if (column >= outer.right) break;
-      const float metres = search.depth.At(column, row);
-      if (metres > 0 && !search.IsInABox(column, row)) counts[BinOf(metres)] += 1;
-    }
-  }
-  return counts;
-}
-
-float Sum(const Histogram& counts, int begin, int end) {
-  float sum = 0;
-  for (int i = std::max(begin, 0); i < std::min(end, kBins); ++i) sum += counts[static_cast<size_t>(i)];
-  return sum;
-}
-
-/// By how much a bin and its neighbours are denser in the box than around it, as shares.
-Histogram Excess(const Histogram& inside, const Histogram& around, float num_inside) {
-  const float num_around = std::max(Sum(around, 0, kBins), kLeastMeasured);
-  Histogram excess{};
-  for (int i = 0; i < kBins; ++i) {
-    const int reach = DepthOf(i) > 2.5f ? 2 : 1;  // the noise of such sensors grows with the square of depth
-    const auto width = static_cast<float>(2 * reach + 1);
-    excess[static_cast<size_t>(i)] =
-        (Sum(inside, i - reach, i + reach + 1) / num_inside - Sum(around, i - reach, i + reach + 1) / num_around) /
-        width;
-  }
-  return excess;
-}
+  void Add(bool is_on) { ++measured, on_body += is_on ? 1.f : 0.f; }
+};
 
 /// Marks what hangs together with the cells of `edge` at the body's depth, within `range`.
 void Spread(CellMask& mask, const DepthCells& depth, const CellRange& range, const BodyPlane& body,
@@ -97,7 +31,7 @@ void Spread(CellMask& mask, const DepthCells& depth, const CellRange& range, con
     edge.pop_back();
     for (const auto& [dx, dy] : kSteps) {
       const int x = column + dx, y = row + dy;
-      if (x < range.left || x >= range.right || y < range.top || y >= range.bottom) continue;
+      if (!range.Holds(x, y)) continue;
       uint8_t& cell = mask[depth.IndexOf(x, y)];
       const float metres = depth.At(x, y);
       if (cell != 0 || !body.Holds(x, y, metres)) continue;
@@ -123,38 +57,9 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
 
 }  // namespace
 
-bool BodyPlane::Holds(int column, int row, float depth_m) const {
-  const float off = depth_m - plane.DepthAt(column, row);
-  const float noise = 0.01f * depth_m * depth_m;
-  return depth_m > 0 && off > -(kFrontM + noise) && off < kBackM + noise;
-}
-
 bool BodySearch::IsInABox(int column, int row) const {
   const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
   return std::any_of(bodies.begin(), bodies.end(), [&](const Box& box) { return Holds(box, x, y); });
-}
-
-std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres) {
-  if (search.depth.empty()) return std::nullopt;
-  const CellRange range = search.depth.RangeOf(box);
-  const Histogram inside = Inside(search, range), around = Around(search, box);
-  const float num_measured = CountMeasured(search.depth, range);
-  if (num_measured < kLeastMeasured) return std::nullopt;
-  const Histogram excess = Excess(inside, around, num_measured);
-  int best = 0;
-  float best_score = -1e9f;
-  for (int begin = 0; begin + kWindowBins <= kBins; ++begin) {
-    const bool is_known = last_metres && std::abs(DepthOf(begin + kWindowBins / 2) - *last_metres) < kSameM;
-    const float score = Sum(excess, begin, begin + kWindowBins) * (is_known ? kMemory : 1.f);
-    if (score > best_score) best_score = score, best = begin;
-  }
-  const auto first = excess.begin() + best;
-  const auto peak = std::max_element(first, first + kWindowBins);
-  BodySign sign;
-  sign.metres = DepthOf(static_cast<int>(peak - excess.begin()));
-  sign.score = Sum(excess, best, best + kWindowBins);
-  sign.num_cells = sign.score * num_measured;
-  return sign;
 }
 
 BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
@@ -167,18 +72,6 @@ BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane
     }
   }
   return memory;
-}
-
-bool HasSurroundings(const BodySearch& search, const Box& box) {
-  return Sum(Around(search, box), 0, kBins) >= kLeastMeasured;
-}
-
-bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body) {
-  const Histogram around = Around(search, box);
-  const int bin = static_cast<int>(BinOf(body.metres));
-  const float near = Sum(around, bin - static_cast<int>(kBackM / kBinM), bin + static_cast<int>(kBackM / kBinM) + 1);
-  const float all = Sum(around, 0, kBins);
-  return all < kLeastMeasured || near > 0.5f * all;
 }
 
 std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
@@ -203,9 +96,42 @@ std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, cons
   return BodySign{memory.body.metres, num_on / num_seen, num_on};
 }
 
+Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& body) {
+  const double side = std::min(box.width(), box.height());
+  const CellRange inner = search.depth.RangeOf(box);
+  const CellRange grown = search.depth.RangeOf(box, kGrow * side);
+  const CellRange outer = search.depth.RangeOf(box, (kGrow + kRing) * side);
+  Counts inside;
+  std::array<Counts, 4> around;  // above, below, left, right
+  for (int row = outer.top; row < outer.bottom; row += kStep) {
+    for (int column = outer.left; column < outer.right; column += kStep) {
+      const float metres = search.depth.At(column, row);
+      if (metres <= 0) continue;
+      if (inner.Holds(column, row)) {
+        inside.Add(search.taken[search.depth.IndexOf(column, row)] == 0 && body.Holds(column, row, metres));
+      } else if (!grown.Holds(column, row) && !search.IsInABox(column, row)) {
+        const size_t where = row < grown.top ? 0 : row >= grown.bottom ? 1 : column < grown.left ? 2 : 3;
+        around[where].Add(body.Holds(column, row, metres));
+      }
+    }
+  }
+  const auto contrast = [&] {
+    Counts all;
+    for (const Counts& counts : around) all.measured += counts.measured, all.on_body += counts.on_body;
+    return inside.on_body / std::max(inside.measured, 1.f) -
+           all.on_body / std::max(all.measured, kLeastAround * inside.measured + 1);
+  };
+  Contrast result;
+  result.all_round = contrast();
+  *std::max_element(around.begin(), around.end(),
+                    [](const Counts& a, const Counts& b) { return a.on_body < b.on_body; }) = {};
+  result.but_one_side = contrast();
+  return result;
+}
+
 BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign) {
   const CellRange range = search.depth.RangeOf(box);
-  constexpr int kTurns = 8, kStep = 2;
+  constexpr int kTurns = 8;
   constexpr float kStiffness = 2e-4f;
   BodyPlane body{{{1 / sign.metres, 0, 0}}, 0};
   for (int turn = 0; turn < kTurns; ++turn) {

@@ -30,7 +30,12 @@ struct BodyPlane {
   float metres = 0;  ///< depth in the middle of the box
 
   /// Whether a measured depth belongs to the body: arms reach forward more than backs reach back.
-  bool Holds(int column, int row, float depth_m) const;
+  bool Holds(int column, int row, float depth_m) const {
+    constexpr float kFrontM = 0.25f, kBackM = 0.15f, kNoise = 0.01f;  // noise grows with the square of depth
+    const float noise = kNoise * depth_m * depth_m;
+    const float inverse = plane.InverseDepthAt(column, row);
+    return depth_m > 0 && (depth_m + kFrontM + noise) * inverse > 1 && (depth_m - kBackM - noise) * inverse < 1;
+  }
 };
 
 /// What surrounds the search for the body in a box.
@@ -43,11 +48,6 @@ struct BodySearch {
   bool IsInABox(int column, int row) const;
 };
 
-/// Looks for the body in a box: what fills the middle of the box and, unlike the wall behind and the desk in front,
-/// does not go on outside of it. `last_metres`: where it was in the picture before, if it was seen there. Nothing where
-/// too little was measured.
-std::optional<BodySign> FindBody(const BodySearch& search, const Box& box, std::optional<float> last_metres);
-
 /// Where a body was found: which cells of a range were its own, and its plane.
 struct BodyMemory {
   CellRange range;
@@ -59,16 +59,17 @@ struct BodyMemory {
 BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
                         const CellMask& after);
 
-/// Whether enough was measured around a box, outside of all boxes, to tell a body from a wall.
-bool HasSurroundings(const BodySearch& search, const Box& box);
-
-/// Whether what lies around a box is mostly at the depth of the body: then it is a wall. So may be a box without
-/// surroundings.
-bool GoesOnAround(const BodySearch& search, const Box& box, const BodyPlane& body);
-
 /// Looks for a body that was found before in the same shape at the same depth, moved along with its box. It need not
 /// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone.
 std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
+
+/// How much more of a box than of its surroundings is at a body, as shares, -1 to 1. Where little surrounds the box,
+/// since the picture ends there or others stand there, that little says little.
+struct Contrast {
+  float all_round = 0;
+  float but_one_side = 0;  ///< without the side on which most goes on: boxes cut people, mostly at their feet
+};
+Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& body);
 
 /// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of
 /// the turn before, so that it follows the body up and down.

@@ -16,6 +16,7 @@ constexpr int kDepthCellPx = 4;
 struct CellRange {
   int left = 0, top = 0, right = 0, bottom = 0;
   int size() const { return right > left && bottom > top ? (right - left) * (bottom - top) : 0; }
+  bool Holds(int column, int row) const { return column >= left && column < right && row >= top && row < bottom; }
 };
 
 /// The cells that a box, grown by `margin_px` on each side, covers in a picture of so many.

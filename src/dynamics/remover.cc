@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "dynamics/body_signs.h"
 #include "dynamics/lying_cells.h"
 #include "dynamics/outline.h"
 #include "dynamics/wall.h"
@@ -15,14 +17,17 @@
 namespace yorb {
 namespace {
 
-constexpr float kCarriedReachM = 0.5f;  // from a body to what it carries or sits on
-constexpr float kLeastScore = 0.15f;    // of a body that stands out from its surroundings
-constexpr float kLeastScoreBridged = 0.25f;
-constexpr double kMostTaken = 0.5;  // of a box by bodies of other boxes, so that it may have one of its own
-constexpr float kBridgedM = 0.2f;   // how far a body that is only expected may be from where it was
-constexpr double kFreshS = 0.5;     // since the detector was sure: who was in view is still there
-constexpr double kEdgePx = 2;       // how far depth and colour may disagree on an outline
-constexpr double kRingPx = 3;       // of FAST: a corner so near to an outline is made by it
+constexpr float kCarriedReachM = 0.5f;   // from a body to what it carries or sits on
+constexpr float kLeastContrast = 0.15f;  // of a body that stands out from its surroundings
+constexpr float kLeastContrastBridged = 0.25f;
+constexpr float kKnownIsWorth = 0.25f;  // of contrast, where a body was in the picture before
+constexpr float kOneBodyM = 0.1f;       // of depth: what is nearer to each other is one
+constexpr float kSamePlaceM = 0.25f;    // of depth, from picture to picture
+constexpr double kMostTaken = 0.5;      // of a box by bodies of other boxes, so that it may have one of its own
+constexpr float kBridgedM = 0.2f;       // how far a body that is only expected may be from where it was
+constexpr double kFreshS = 0.5;         // since the detector was sure: who was in view is still there
+constexpr double kEdgePx = 2;           // how far depth and colour may disagree on an outline
+constexpr double kRingPx = 3;           // of FAST: a corner so near to an outline is made by it
 
 /// Marks all of a box but what lies.
 CellMask WithAllOf(CellMask mask, const DepthCells& depth, const Box& box) {
@@ -44,34 +49,67 @@ bool IsFresh(const BoxTrack& track, Timestamp now) {
   return !track.IsBridged(now) && SecondsBetween(track.last_sure, now) <= kFreshS;
 }
 
-/// Whether a body stands out; one that the detector did not surely see just now must be where it was.
-bool IsBelievable(const BoxTrack& track, float score, const BodyPlane& body, Timestamp now) {
-  if (IsSure(track, now)) return score >= kLeastScore;
-  const bool is_there = track.body && std::abs(body.metres - track.body->body.metres) < kBridgedM;
-  return is_there && score >= kLeastScoreBridged;
-}
-
 /// The depth at which a body was last found.
 std::optional<float> LastDepth(const BoxTrack& track) {
   return track.body ? std::optional<float>(track.body->body.metres) : std::nullopt;
 }
 
-/// The body of a track, by what stands out in its box (`sign`), or else where it was found before. Where somebody is
+/// A body in a box, and how much it stands out.
+struct FoundBody {
+  BodyPlane plane;
+  Contrast contrast;
+};
+
+/// Whether a body stands out; one that the detector did not surely see just now must be where it was.
+bool IsBelievable(const BoxTrack& track, const FoundBody& found, Timestamp now) {
+  if (IsSure(track, now)) return found.contrast.all_round >= kLeastContrast;
+  const bool is_there = track.body && std::abs(found.plane.metres - track.body->body.metres) < kBridgedM;
+  return is_there && found.contrast.all_round >= kLeastContrastBridged;
+}
+
+/// The likeliest of the bodies that these signs, and the memory of the track, lead to: what stands out most. A body
+/// does not jump: another place than that of the picture before must stand out clearly more.
+FoundBody Likeliest(const BoxTrack& track, const BodySearch& search, const std::vector<BodySign>& signs) {
+  FoundBody best;
+  float best_value = std::numeric_limits<float>::lowest();
+  std::vector<float> tried_m;  // depths of the bodies so far
+  const auto is_tried = [&](float metres) {
+    return std::any_of(tried_m.begin(), tried_m.end(), [&](float m) { return std::abs(m - metres) < kOneBodyM; });
+  };
+  const auto attempt = [&](const BodySign& sign) {
+    const BodyPlane plane = FitBody(search, track.at.box, sign);
+    if (is_tried(plane.metres)) return;
+    tried_m.push_back(plane.metres);
+    const Contrast contrast = ContrastOf(search, track.at.box, plane);
+    const bool is_known = track.body && std::abs(plane.metres - track.body->body.metres) < kSamePlaceM;
+    const float value = contrast.but_one_side + (is_known ? kKnownIsWorth : 0);
+    if (value > best_value) best_value = value, best = {plane, contrast};
+  };
+  for (const BodySign& sign : signs) {
+    if (!is_tried(sign.metres)) attempt(sign);
+  }
+  if (track.body && !is_tried(track.body->body.metres)) {
+    if (const auto again = FindAgain(search, track.at.box, *track.body)) attempt(*again);
+  }
+  return best;
+}
+
+/// The body of a track, by what stands out in its box (`signs`), or else where it was found before. Where somebody is
 /// not there beyond doubt, a wall must not be taken for a body.
-std::optional<BodyPlane> FindBodyOf(const BoxTrack& track, const BodySearch& search,
-                                    const std::optional<BodySign>& sign, Timestamp now) {
+std::optional<FoundBody> FindBodyOf(const BoxTrack& track, const BodySearch& search, const std::vector<BodySign>& signs,
+                                    Timestamp now) {
   const bool is_fresh = IsFresh(track, now);
   if (!is_fresh && !HasSurroundings(search, track.at.box)) return std::nullopt;
   const auto is_apart = [&](const BodyPlane& body) { return is_fresh || !GoesOnBeyond(search, track.at.box, body); };
-  if (sign) {
-    const BodyPlane body = FitBody(search, track.at.box, *sign);
-    if (is_apart(body) && IsBelievable(track, sign->score, body, now)) return body;
+  if (!signs.empty()) {
+    const FoundBody found = Likeliest(track, search, signs);
+    if (is_apart(found.plane) && IsBelievable(track, found, now)) return found;
   }
   if (!track.body || (!is_fresh && GoesOnAround(search, track.at.box, track.body->body))) return std::nullopt;
   const auto again = FindAgain(search, track.at.box, *track.body);
   if (!again) return std::nullopt;
-  const BodyPlane body = FitBody(search, track.at.box, *again);
-  return is_apart(body) ? std::optional<BodyPlane>(body) : std::nullopt;
+  const BodyPlane plane = FitBody(search, track.at.box, *again);
+  return is_apart(plane) ? std::optional<FoundBody>({plane, {}}) : std::nullopt;
 }
 
 /// How much of a box is known as the body of others.
@@ -85,15 +123,15 @@ double ShareTaken(const CellMask& mask, const CellRange& range, const DepthCells
 
 /// Takes the body that explains most, of those that the detector saw if there is one, out of what is open.
 BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Timestamp now,
-                   std::optional<BodySign>& sign) {
+                   std::vector<BodySign>& signs) {
   size_t best = 0;
   bool is_best_bridged = true;
   for (size_t i = 0; i < open.size(); ++i) {
-    const auto found = FindBody(search, open[i]->at.box, LastDepth(*open[i]));
+    const auto found = FindBodies(search, open[i]->at.box, LastDepth(*open[i]));
     const bool is_bridged = open[i]->IsBridged(now);
-    if (!found || (sign && is_bridged && !is_best_bridged)) continue;
-    if (sign && is_bridged == is_best_bridged && found->num_cells <= sign->num_cells) continue;
-    best = i, sign = found, is_best_bridged = is_bridged;
+    if (found.empty() || (!signs.empty() && is_bridged && !is_best_bridged)) continue;
+    if (!signs.empty() && is_bridged == is_best_bridged && found[0].num_cells <= signs[0].num_cells) continue;
+    best = i, signs = found, is_best_bridged = is_bridged;
   }
   std::swap(open[best], open.back());
   BoxTrack& track = *open.back();
@@ -114,17 +152,17 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ce
   }
   while (!open.empty()) {
     const BodySearch search{depth, mask, seen};
-    std::optional<BodySign> sign;
-    BoxTrack& track = TakeNext(open, search, now, sign);
+    std::vector<BodySign> signs;
+    BoxTrack& track = TakeNext(open, search, now, signs);
     if (LiesInAWall(search, track.at.box)) continue;  // a poster: however sure the detector is
-    const auto body = FindBodyOf(track, search, sign, now);
-    if (body) {
+    const auto found = FindBodyOf(track, search, signs, now);
+    if (found) {
       const CellMask before = mask;
-      mask = WithBody(std::move(mask), depth, track.at.box, *body);
+      mask = WithBody(std::move(mask), depth, track.at.box, found->plane);
       // Only what the detector sees is remembered: a memory of memories would wander off into the background.
-      const float least_score = IsSure(track, now) ? kLeastScore : kLeastScoreBridged;
-      const bool is_new = !track.IsBridged(now) && sign && sign->score >= least_score;
-      if (is_new) track.body = RememberBody(depth, track.at.box, *body, before, mask);
+      const float least = IsSure(track, now) ? kLeastContrast : kLeastContrastBridged;
+      const bool is_new = !track.IsBridged(now) && found->contrast.all_round >= least;
+      if (is_new) track.body = RememberBody(depth, track.at.box, found->plane, before, mask);
       track.body_seen = now;
     } else if (IsSure(track, now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {
       // Where depth cannot tell the body from what is around it, the box counts as a whole, as in the paper.

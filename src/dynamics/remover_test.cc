@@ -150,6 +150,29 @@ TEST(Remover, TwoBodiesInOverlappingBoxesAreBothFound) {
   EXPECT_GT(SharesOf(both, points, areas.Judge(points)).dynamic_removed, 0.97);
 }
 
+TEST(Remover, ABodyDoesNotJumpToWhatComesBeforeIt) {
+  const auto scene_with = [](bool has_panel) {
+    Scene scene = MakeScene(9, false);  // nobody before the wall
+    const cv::Rect person(200, 60, 90, 340), panel(290, 60, 110, 340);
+    scene.images.depth.pixels(person).setTo(1.6 / kMetresPerUnit);
+    if (has_panel) scene.images.depth.pixels(panel).setTo(1.25 / kMetresPerUnit);
+    scene.person.setTo(0);
+    scene.person(person).setTo(255);
+    scene.box = {"person", 0.9, 200, 60, 400, 400};
+    return scene;
+  };
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  const std::vector<Keypoint> points = Points();
+  for (int i = 0; i < 6; ++i) {
+    Scene scene = scene_with(i >= 3);
+    scene.images.timestamp = {i * 33000000};
+    const MovingAreas areas = remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
+    const Shares shares = SharesOf(scene, points, areas.Judge(points));
+    EXPECT_GT(shares.dynamic_removed, 0.97) << i;
+    EXPECT_GT(shares.static_in_box_kept, 0.8) << i;
+  }
+}
+
 TEST(Remover, ABodyThatIsMissedIsFoundWhereItWas) {
   const Scene scene = MakeScene(1.4);
   Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);

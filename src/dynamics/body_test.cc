@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/body.h"
+
+#include <gtest/gtest.h>
+
+namespace yorb {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+
+/// A wall at 3 m with something at 1.5 m before it.
+DepthCells WithThing(const cv::Rect& thing) {
+  cv::Mat millimetres(kHeight, kWidth, CV_16UC1, cv::Scalar(3000));
+  millimetres(thing & cv::Rect(0, 0, kWidth, kHeight)).setTo(1500);
+  return DepthCells({millimetres, 0.001});
+}
+
+/// Of what stands at so many metres in a box.
+Contrast ContrastAt(const DepthCells& depth, const Box& box, float metres) {
+  const CellMask taken(depth.IndexOf(0, depth.rows()), 0);
+  const std::vector<Box> bodies{box};
+  return ContrastOf({depth, taken, bodies}, box, {{{1 / metres, 0, 0}}, metres});
+}
+
+TEST(Contrast, IsTheShareOfTheBoxWhereNothingGoesOn) {
+  const Box box{"person", 1, 200, 100, 400, 300};
+  const Contrast thing = ContrastAt(WithThing({200, 100, 100, 200}), box, 1.5f);
+  EXPECT_NEAR(thing.all_round, 0.5, 0.02);
+  EXPECT_NEAR(thing.but_one_side, 0.5, 0.02);
+  EXPECT_LT(ContrastAt(WithThing({200, 100, 100, 200}), box, 3).all_round, -0.4);
+}
+
+TEST(Contrast, ABoxThatEndsAtTheKneesCutsABody) {
+  const Box box{"person", 1, 200, 100, 400, 300};
+  const Contrast body = ContrastAt(WithThing({200, 100, 200, 380}), box, 1.5f);
+  EXPECT_LT(body.all_round, 0.9);
+  EXPECT_NEAR(body.but_one_side, 1, 0.02);
+}
+
+TEST(Contrast, AStripBelowAPersonWhoFillsThePictureSaysLittle) {
+  const Box box{"person", 1, 0, 0, 640, 424};
+  const Contrast body = ContrastAt(WithThing({0, 0, 640, 480}), box, 1.5f);
+  EXPECT_GT(body.all_round, 0.7);
+  EXPECT_NEAR(body.but_one_side, 1, 0.02);
+}
+
+TEST(Contrast, WhatIsTakenCountsForNothing) {
+  const Box box{"person", 1, 200, 100, 400, 300};
+  const DepthCells depth = WithThing({200, 100, 200, 200});
+  const CellMask taken(depth.IndexOf(0, depth.rows()), kLying);
+  EXPECT_EQ(ContrastOf({depth, taken, {}}, box, {{{1 / 1.5f, 0, 0}}, 1.5f}).all_round, 0);
+}
+
+}  // namespace
+}  // namespace yorb
