@@ -74,7 +74,7 @@ BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane
   return memory;
 }
 
-std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
+bool IsThereAgain(const BodySearch& search, const Box& box, const BodyMemory& memory) {
   constexpr float kLeastShare = 0.6f;
   const CellRange now = search.depth.RangeOf(box), &then = memory.range;
   const int dx = (now.left + now.right - then.left - then.right) / 2;
@@ -92,8 +92,7 @@ std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, cons
       num_on += memory.body.Holds(column, row, metres) ? 1.f : 0.f;
     }
   }
-  if (num_seen < kLeastMeasured || num_on < kLeastShare * num_seen) return std::nullopt;
-  return BodySign{memory.body.metres, num_on / num_seen, num_on};
+  return num_seen >= kLeastMeasured && num_on >= kLeastShare * num_seen;
 }
 
 Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& body) {
@@ -129,11 +128,11 @@ Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& b
   return result;
 }
 
-BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign) {
+BodyPlane FitBody(const BodySearch& search, const Box& box, float metres) {
   const CellRange range = search.depth.RangeOf(box);
   constexpr int kTurns = 8;
   constexpr float kStiffness = 2e-4f;
-  BodyPlane body{{{1 / sign.metres, 0, 0}}, 0};
+  BodyPlane body{{{1 / metres, 0, 0}}, 0};
   for (int turn = 0; turn < kTurns; ++turn) {
     CellPlaneFit fit(range);
     for (int row = range.top; row < range.bottom; row += kStep) {

@@ -19,8 +19,7 @@ constexpr int kInexactCells = 2;  ///< by which a box may be too small, in cells
 /// What speaks for a body in a box.
 struct BodySign {
   float metres = 0;     ///< its densest depth
-  float score = 0;      ///< how much more of the box than of its surroundings lies near it, 0 to 1
-  float num_cells = 0;  ///< the same as a number of cells
+  float num_cells = 0;  ///< how many more cells of the box than of its surroundings, by share, lie near it
 };
 
 /// Where the body in a box is: a plane. Who stands upright before a camera that looks down is nearer at the head than
@@ -59,9 +58,9 @@ struct BodyMemory {
 BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,
                         const CellMask& after);
 
-/// Looks for a body that was found before in the same shape at the same depth, moved along with its box. It need not
-/// stand out from its surroundings: a body that fills the picture has none. Nothing where most of it is gone.
-std::optional<BodySign> FindAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
+/// Whether most of a body that was found before is there in the same shape at the same depth, moved along with its box.
+/// It need not stand out from its surroundings: a body that fills the picture has none.
+bool IsThereAgain(const BodySearch& search, const Box& box, const BodyMemory& memory);
 
 /// How much more of a box than of its surroundings is at a body, as shares, -1 to 1. Where little surrounds the box,
 /// since the picture ends there or others stand there, that little says little.
@@ -71,9 +70,9 @@ struct Contrast {
 };
 Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& body);
 
-/// The plane through a body, starting with one that faces the camera: each turn takes in what lies near the plane of
-/// the turn before, so that it follows the body up and down.
-BodyPlane FitBody(const BodySearch& search, const Box& box, const BodySign& sign);
+/// The plane through a body, starting with one that faces the camera at `metres`: each turn takes in what lies near the
+/// plane of the turn before, so that it follows the body up and down.
+BodyPlane FitBody(const BodySearch& search, const Box& box, float metres);
 
 /// Marks in `mask` (a value for each cell) the body at `body`: what lies near its plane in the box, and what hangs
 /// together with that in the box grown by a tenth, since boxes are not exact. Cells of the box where nothing was

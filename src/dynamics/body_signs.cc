@@ -16,7 +16,7 @@ constexpr int kWallBins = 3;          // 0.15 m: what so near a body's depth sur
 constexpr double kRing = 0.25;        // width of the surroundings, of the box's sides
 constexpr float kLeastMeasured = 24;  // cells
 constexpr size_t kMostSigns = 3;      // in one box
-constexpr float kLeastOther = 0.05f;  // score of the second sign and the third
+constexpr float kLeastOther = 0.05f;  // share of the second sign and the third
 constexpr float kMemory = 1.5f;       // how many times more being near the last depth is worth
 constexpr float kSameM = 0.4f;        // how far a body may go from picture to picture
 
@@ -106,12 +106,9 @@ std::vector<BodySign> FindBodies(const BodySearch& search, const Box& box, std::
     }
     const auto first = excess.begin() + best;
     const auto peak = std::max_element(first, first + kWindowBins);
-    BodySign sign;
-    sign.metres = DepthOf(static_cast<int>(peak - excess.begin()));
-    sign.score = Sum(excess, best, best + kWindowBins);
-    sign.num_cells = sign.score * num_measured;
-    if (!signs.empty() && sign.score < kLeastOther) break;
-    signs.push_back(sign);
+    const float share = Sum(excess, best, best + kWindowBins);
+    if (!signs.empty() && share < kLeastOther) break;
+    signs.push_back({DepthOf(static_cast<int>(peak - excess.begin())), share * num_measured});
     std::fill(first, first + kWindowBins, 0.f);
   }
   return signs;

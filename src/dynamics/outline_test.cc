@@ -23,7 +23,7 @@ bool GoesOn(const DepthImage& image, const Box& box, float metres) {
   const CellMask taken(static_cast<size_t>(depth.columns() * depth.rows()), 0);
   const std::vector<Box> boxes{box};
   const BodySearch search{depth, taken, boxes};
-  return GoesOnBeyond(search, box, FitBody(search, box, {metres, 1, 100}));
+  return GoesOnBeyond(search, box, FitBody(search, box, metres));
 }
 
 TEST(GoesOnBeyond, TellsAWallFromWhatEndsInItsBox) {

@@ -54,17 +54,17 @@ std::optional<float> LastDepth(const BoxTrack& track) {
   return track.body ? std::optional<float>(track.body->body.metres) : std::nullopt;
 }
 
-/// A body in a box, and how much it stands out.
+/// A body in a box.
 struct FoundBody {
   BodyPlane plane;
-  Contrast contrast;
+  float contrast = 0;  ///< all round; 0 where it is only found again, whether it stands out or not
 };
 
 /// Whether a body stands out; one that the detector did not surely see just now must be where it was.
 bool IsBelievable(const BoxTrack& track, const FoundBody& found, Timestamp now) {
-  if (IsSure(track, now)) return found.contrast.all_round >= kLeastContrast;
+  if (IsSure(track, now)) return found.contrast >= kLeastContrast;
   const bool is_there = track.body && std::abs(found.plane.metres - track.body->body.metres) < kBridgedM;
-  return is_there && found.contrast.all_round >= kLeastContrastBridged;
+  return is_there && found.contrast >= kLeastContrastBridged;
 }
 
 /// The likeliest of the bodies that these signs, and the memory of the track, lead to: what stands out most. A body
@@ -76,21 +76,19 @@ FoundBody Likeliest(const BoxTrack& track, const BodySearch& search, const std::
   const auto is_tried = [&](float metres) {
     return std::any_of(tried_m.begin(), tried_m.end(), [&](float m) { return std::abs(m - metres) < kOneBodyM; });
   };
-  const auto attempt = [&](const BodySign& sign) {
-    const BodyPlane plane = FitBody(search, track.at.box, sign);
+  const auto attempt = [&](float metres) {
+    if (is_tried(metres)) return;
+    const BodyPlane plane = FitBody(search, track.at.box, metres);
     if (is_tried(plane.metres)) return;
     tried_m.push_back(plane.metres);
     const Contrast contrast = ContrastOf(search, track.at.box, plane);
     const bool is_known = track.body && std::abs(plane.metres - track.body->body.metres) < kSamePlaceM;
     const float value = contrast.but_one_side + (is_known ? kKnownIsWorth : 0);
-    if (value > best_value) best_value = value, best = {plane, contrast};
+    if (value > best_value) best_value = value, best = {plane, contrast.all_round};
   };
-  for (const BodySign& sign : signs) {
-    if (!is_tried(sign.metres)) attempt(sign);
-  }
-  if (track.body && !is_tried(track.body->body.metres)) {
-    if (const auto again = FindAgain(search, track.at.box, *track.body)) attempt(*again);
-  }
+  for (const BodySign& sign : signs) attempt(sign.metres);
+  const bool is_worth_looking = track.body && !is_tried(track.body->body.metres);
+  if (is_worth_looking && IsThereAgain(search, track.at.box, *track.body)) attempt(track.body->body.metres);
   return best;
 }
 
@@ -106,10 +104,10 @@ std::optional<FoundBody> FindBodyOf(const BoxTrack& track, const BodySearch& sea
     if (is_apart(found.plane) && IsBelievable(track, found, now)) return found;
   }
   if (!track.body || (!is_fresh && GoesOnAround(search, track.at.box, track.body->body))) return std::nullopt;
-  const auto again = FindAgain(search, track.at.box, *track.body);
-  if (!again) return std::nullopt;
-  const BodyPlane plane = FitBody(search, track.at.box, *again);
-  return is_apart(plane) ? std::optional<FoundBody>({plane, {}}) : std::nullopt;
+  if (!IsThereAgain(search, track.at.box, *track.body)) return std::nullopt;
+  const BodyPlane plane = FitBody(search, track.at.box, track.body->body.metres);
+  if (!is_apart(plane)) return std::nullopt;
+  return FoundBody{plane};
 }
 
 /// How much of a box is known as the body of others.
@@ -160,8 +158,7 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ce
       const CellMask before = mask;
       mask = WithBody(std::move(mask), depth, track.at.box, found->plane);
       // Only what the detector sees is remembered: a memory of memories would wander off into the background.
-      const float least = IsSure(track, now) ? kLeastContrast : kLeastContrastBridged;
-      const bool is_new = !track.IsBridged(now) && found->contrast.all_round >= least;
+      const bool is_new = !track.IsBridged(now) && found->contrast > 0;
       if (is_new) track.body = RememberBody(depth, track.at.box, found->plane, before, mask);
       track.body_seen = now;
     } else if (IsSure(track, now) && ShareTaken(mask, depth.RangeOf(track.at.box), depth) < kMostTaken) {
