@@ -10,13 +10,13 @@
 namespace yorb {
 namespace {
 
-struct CheckArguments {
+struct CheckCommandArguments {
   std::string folder;
   std::string camera;
   bool as_json = false;
 };
 
-int Check(const CheckArguments& arguments) {
+int Check(const CheckCommandArguments& arguments) {
   const SequenceCheck check = CheckSequence(arguments.folder, arguments.camera);
   const std::string text = arguments.as_json ? CheckJson(check) : CheckText(check);
   std::fputs(text.c_str(), stdout);
@@ -30,7 +30,7 @@ int Check(const CheckArguments& arguments) {
 }  // namespace
 
 void AddCheckCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<CheckArguments>();
+  auto arguments = std::make_shared<CheckCommandArguments>();
   CLI::App* command =
       program.add_subcommand("check", "Say what is right and wrong with a recording, without running SLAM");
   command->add_option("DIR", arguments->folder, "Folder of the recording: rgb.txt and depth.txt, or associations.txt")

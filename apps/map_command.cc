@@ -40,7 +40,7 @@ int Export(const ExportArguments& arguments) {
   return kExitDone;
 }
 
-void AddInfo(CLI::App& map, Action& action) {
+void AddMapInfo(CLI::App& map, Action& action) {
   CLI::App* info = map.add_subcommand("info", "Says what is in a map file, which is read and checked whole");
   const auto arguments = std::make_shared<InfoArguments>();
   info->add_option("FILE", arguments->file, "A file of `yorb run --save-map`")->required();
@@ -81,7 +81,7 @@ void AddMapCommand(CLI::App& program, Action& action) {
   CLI::App* map = program.add_subcommand("map", "Looks into the maps of `yorb run --save-map`, and exports them");
   map->require_subcommand(1);
   map->footer("Examples:\n  yorb map info office.map\n  yorb map export office.map --out office.ply");
-  AddInfo(*map, action);
+  AddMapInfo(*map, action);
   AddExport(*map, action);
 }
 

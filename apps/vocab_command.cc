@@ -163,7 +163,7 @@ void AddTrain(CLI::App& vocab, Action& action) {
   command->callback([a, &action] { action = [a] { return Train(*a); }; });
 }
 
-void AddInfo(CLI::App& vocab, Action& action) {
+void AddVocabInfo(CLI::App& vocab, Action& action) {
   CLI::App* command = vocab.add_subcommand("info", "Says what a vocabulary file holds, ours or ORBvoc.txt");
   const auto file = std::make_shared<std::string>();
   const auto wants_json = std::make_shared<bool>(false);
@@ -180,7 +180,7 @@ void AddVocabCommand(CLI::App& program, Action& action) {
       program.add_subcommand("vocab", "Vocabularies, by which places are recognised: trains one, looks into one");
   command->require_subcommand(1);
   AddTrain(*command, action);
-  AddInfo(*command, action);
+  AddVocabInfo(*command, action);
 }
 
 }  // namespace yorb

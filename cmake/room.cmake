@@ -6,10 +6,6 @@ function(yorb_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
                                            -Wno-missing-field-initializers -ffp-contract=off
                                            -Wno-restrict)  # a false alarm of gcc 12 on string + string
-  if(YORB_PCH)
-    # Of what a precompiled header brings, gcc 12 forgets that it is the system's, and gives more such false alarms.
-    target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
-  endif()
   # HammingDistance is inline in hot loops: popcnt is in every x86-64-v2 processor (since 2008).
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_options(${target} PRIVATE -mpopcnt)
@@ -27,32 +23,6 @@ function(yorb_options target)
     endif()
     target_link_options(${target} PRIVATE -fsanitize=${YORB_SANITIZE})
   endif()
-endfunction()
-
-# yorb_precompiled(TARGET lib|test): lets a target take what nearly every file includes from one precompiled header, which
-# saves a third of the time to build. There are two, since libraries are compiled as -fPIC and programs as -fPIE. Files
-# still include what they use: a build with -DYORB_PCH=OFF must pass, too.
-function(yorb_precompiled target kind)
-  if(NOT YORB_PCH)
-    return()
-  endif()
-  if(NOT TARGET yorb_${kind}_headers)
-    set(headers <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
-                <optional> <set> <sstream> <string> <utility> <vector> <Eigen/Core> <Eigen/Geometry>
-                <opencv2/imgproc.hpp>)  # without nlohmann/json.hpp: every file would pay for its templates
-    file(WRITE ${PROJECT_BINARY_DIR}/headers/${kind}.cc "int main() {}\n")
-    if(kind STREQUAL "test")
-      list(APPEND headers <gmock/gmock.h> <gtest/gtest.h>)
-      add_executable(yorb_test_headers ${PROJECT_BINARY_DIR}/headers/test.cc)
-      target_link_libraries(yorb_test_headers PRIVATE GTest::gmock)
-    else()
-      add_library(yorb_lib_headers OBJECT ${PROJECT_BINARY_DIR}/headers/lib.cc)
-    endif()
-    target_link_libraries(yorb_${kind}_headers PRIVATE Threads::Threads Eigen3::Eigen opencv_imgproc)
-    target_precompile_headers(yorb_${kind}_headers PRIVATE ${headers})
-    yorb_options(yorb_${kind}_headers)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM yorb_${kind}_headers)
 endfunction()
 
 # yorb_tests(TARGET PREFIX): makes every TEST of a GoogleTest program a test of ctest, PREFIX.Suite.Name; of the tests of the
@@ -95,13 +65,19 @@ function(yorb_room name)
   list(FILTER benches INCLUDE REGEX "_bench\\.cc$")
   list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cc$")
 
+  # Of the same functions for several processors each file has the same names to itself.
+  set(twins ${sources})
+  list(FILTER twins INCLUDE REGEX "_(avx2|portable)\\.cc$")
+  if(twins)
+    set_source_files_properties(${twins} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+
   if(sources)
     add_library(yorb_${name} STATIC ${sources})
     target_link_libraries(yorb_${name} PUBLIC ${ROOM_DEPS})
     target_include_directories(yorb_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                                                    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/yorb>)
     yorb_options(yorb_${name})
-    yorb_precompiled(yorb_${name} lib)
   else()
     add_library(yorb_${name} INTERFACE)
     target_link_libraries(yorb_${name} INTERFACE ${ROOM_DEPS})
@@ -121,7 +97,6 @@ function(yorb_room name)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE yorb_${name} ${ROOM_TEST_DEPS} GTest::gmock GTest::gtest_main)
     yorb_options(${name}_test)
-    yorb_precompiled(${name}_test test)
     yorb_tests(${name}_test ${name})
   endif()
   if(benches AND YORB_BENCHES)

@@ -12,13 +12,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Rig Read(const std::string& text) {
+Rig ReadCalib(const std::string& text) {
   const auto rig = ParseCameraFile(text, "calib.yaml");
   EXPECT_TRUE(rig.ok()) << (rig.ok() ? "" : rig.error().message);
   return rig.ok() ? *rig : Rig();
 }
 
-std::string Complaint(const std::string& text) {
+std::string CalibComplaint(const std::string& text) {
   const auto rig = ParseCameraFile(text, "calib.yaml");
   EXPECT_FALSE(rig.ok()) << text;
   return rig.ok() ? "" : rig.error().message;
@@ -41,27 +41,28 @@ TEST(CalibrationFile, RosCalibratorAndMessage) {
       "distortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [.1, -.2, .003, .004, .5]\n"
       "rectification_matrix:\n  rows: 3\n  cols: 3\n  data: [1, 0, 0, 0, 1, 0, 0, 0, 1]\n"
       "projection_matrix:\n  rows: 3\n  cols: 4\n  data: [1, 0, 3, 0, 0, 1, 2, 0, 0, 0, 1, 0]\n";
-  const Rig rig = Read(file + "depth_factor: 1000\n");
+  const Rig rig = ReadCalib(file + "depth_factor: 1000\n");
   ExpectCamera(rig, {.1, -.2, .003, .004, .5, 0, 0, 0});
   EXPECT_EQ(rig.name, "head");
   EXPECT_EQ(rig.depth_factor, 1000);
-  EXPECT_EQ(Read(file).depth_factor, 0) << "a calibration says nothing about depth";
+  EXPECT_EQ(ReadCalib(file).depth_factor, 0) << "a calibration says nothing about depth";
   ExpectCamera(
-      Read("header:\n  seq: 1\n  frame_id: ''\nheight: 480\nwidth: 640\ndistortion_model: \"rational_polynomial\"\n"
-           "D: [.1, -.2, .003, .004, .5, .6, .7, .8]\nK: [525.5, 0.0, 319.25, 0.0, 526.5, 239.75, 0.0, 0.0, 1.0]\n"
-           "R: [1.0]\nP: [1.0]\nbinning_x: 0\n---\nheight: 1\n"),
+      ReadCalib(
+          "header:\n  seq: 1\n  frame_id: ''\nheight: 480\nwidth: 640\ndistortion_model: \"rational_polynomial\"\n"
+          "D: [.1, -.2, .003, .004, .5, .6, .7, .8]\nK: [525.5, 0.0, 319.25, 0.0, 526.5, 239.75, 0.0, 0.0, 1.0]\n"
+          "R: [1.0]\nP: [1.0]\nbinning_x: 0\n---\nheight: 1\n"),
       {.1, -.2, .003, .004, .5, .6, .7, .8});
-  ExpectCamera(Read("height: 480\nwidth: 640\ndistortion_model: plumb_bob\nd:\n- 0.0\n- 0.0\n- 0.0\n- 0.0\n- 0.0\n"
-                    "k:\n- 525.5\n- 0.0\n- 319.25\n- 0.0\n- 526.5\n- 239.75\n- 0.0\n- 0.0\n- 1.0\n"),
+  ExpectCamera(ReadCalib("height: 480\nwidth: 640\ndistortion_model: plumb_bob\nd:\n- 0.0\n- 0.0\n- 0.0\n- 0.0\n- 0.0\n"
+                         "k:\n- 525.5\n- 0.0\n- 319.25\n- 0.0\n- 526.5\n- 239.75\n- 0.0\n- 0.0\n- 1.0\n"),
                {});
 }
 
 TEST(CalibrationFile, OpenCv) {
   ExpectCamera(
-      Read("%YAML:1.0\n---\ncalibration_time: \"Mon\"\nimage_width: 640\nimage_height: 480\n"
-           "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 5.255e+02, 0., 319.25,\n"
-           "       0., 526.5, 239.75, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 1\n"
-           "   cols: 5\n   dt: d\n   data: [ .1, -.2, .003, .004, .5 ]\navg_reprojection_error: 3.e-01\n"),
+      ReadCalib("%YAML:1.0\n---\ncalibration_time: \"Mon\"\nimage_width: 640\nimage_height: 480\n"
+                "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 5.255e+02, 0., 319.25,\n"
+                "       0., 526.5, 239.75, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 1\n"
+                "   cols: 5\n   dt: d\n   data: [ .1, -.2, .003, .004, .5 ]\navg_reprojection_error: 3.e-01\n"),
       {.1, -.2, .003, .004, .5, 0, 0, 0});
 }
 
@@ -70,9 +71,9 @@ TEST(CalibrationFile, KalibrAndEuroc) {
       "cam0:\n  cam_overlaps: []\n  camera_model: pinhole\n  distortion_coeffs: [.1, -.2, .003, .004]\n"
       "  distortion_model: radtan\n  intrinsics: [525.5, 526.5, 319.25, 239.75]\n  resolution: [640, 480]\n"
       "  rostopic: /cam0/image_raw\n";
-  ExpectCamera(Read(kalibr), {.1, -.2, .003, .004, 0, 0, 0, 0});
-  EXPECT_THAT(Complaint(kalibr + "cam1:\n  camera_model: pinhole\n"), HasSubstr("more than one"));
-  const Rig euroc = Read(
+  ExpectCamera(ReadCalib(kalibr), {.1, -.2, .003, .004, 0, 0, 0, 0});
+  EXPECT_THAT(CalibComplaint(kalibr + "cam1:\n  camera_model: pinhole\n"), HasSubstr("more than one"));
+  const Rig euroc = ReadCalib(
       "#Default imu sensor yaml file\nsensor_type: camera\ncomment: VI-Sensor\nT_BS:\n  cols: 4\n  rows: 4\n  data: "
       "[1.0, 0.0,\n"
       "         0.0, 1.0]\nrate_hz: 20\nresolution: [640, 480]\ncamera_model: pinhole\n"
@@ -84,15 +85,15 @@ TEST(CalibrationFile, KalibrAndEuroc) {
 
 TEST(CalibrationFile, OtherLensesAndShapesAreRefusedByName) {
   const std::string start = "cam0:\n  intrinsics: [525.5, 526.5, 319.25, 239.75]\n  resolution: [640, 480]\n";
-  EXPECT_THAT(Complaint(start + "  camera_model: omni\n  distortion_coeffs: []\n"), HasSubstr("omni"));
-  EXPECT_THAT(Complaint(start + "  distortion_model: equidistant\n  distortion_coeffs: [1, 2, 3, 4]\n"),
+  EXPECT_THAT(CalibComplaint(start + "  camera_model: omni\n  distortion_coeffs: []\n"), HasSubstr("omni"));
+  EXPECT_THAT(CalibComplaint(start + "  distortion_model: equidistant\n  distortion_coeffs: [1, 2, 3, 4]\n"),
               HasSubstr("equidistant"));
-  EXPECT_THAT(Complaint(start + "  distortion_model: radtan\n"), HasSubstr("distortion_coeffs"));
-  EXPECT_THAT(Complaint("cam0:\n  intrinsics: [1, 525.5, 526.5, 319.25, 239.75]\n  distortion_coeffs: []\n"),
+  EXPECT_THAT(CalibComplaint(start + "  distortion_model: radtan\n"), HasSubstr("distortion_coeffs"));
+  EXPECT_THAT(CalibComplaint("cam0:\n  intrinsics: [1, 525.5, 526.5, 319.25, 239.75]\n  distortion_coeffs: []\n"),
               HasSubstr("cam0.intrinsics"));
-  EXPECT_THAT(Complaint("camera_matrix: [1, 2, 3]\ndistortion_coefficients: []\n"), HasSubstr("camera_matrix"));
-  EXPECT_THAT(Complaint("K: [525.5, 0, 319.25, 0, 526.5, 239.75, 0, 0, 1]\nD: [1, 2, 3]\n"), HasSubstr("D"));
-  EXPECT_THAT(Complaint("K: [0, 0, 319.25, 0, 0, 239.75, 0, 0, 1]\nD: []\n"), HasSubstr("K"));
+  EXPECT_THAT(CalibComplaint("camera_matrix: [1, 2, 3]\ndistortion_coefficients: []\n"), HasSubstr("camera_matrix"));
+  EXPECT_THAT(CalibComplaint("K: [525.5, 0, 319.25, 0, 526.5, 239.75, 0, 0, 1]\nD: [1, 2, 3]\n"), HasSubstr("D"));
+  EXPECT_THAT(CalibComplaint("K: [0, 0, 319.25, 0, 0, 239.75, 0, 0, 1]\nD: []\n"), HasSubstr("K"));
 }
 
 TEST(BuiltinCamera, AreFoundFromTheProgramAndAllRead) {

@@ -10,14 +10,12 @@
 #include <system_error>
 #include <utility>
 
+#include "core/files.h"
+
 namespace yorb {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error CannotWrite(const std::string& path, int reason) {
-  return Failure(path + " cannot be written: " + std::generic_category().message(reason));
-}
 
 /// Where the bytes go in the end: the target of a symbolic link, else the path itself.
 std::string TargetOf(const std::string& path) {

@@ -6,16 +6,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace yorb {
 namespace {
-
-Status CannotWrite(const std::string& path, int reason) {
-  return Failure(path + " cannot be written: " + std::strerror(reason));
-}
 
 bool WriteAll(int file, const std::string& content) {
   for (size_t done = 0; done < content.size();) {
@@ -56,6 +52,10 @@ Status PutInPlace(const std::string& path) {
 }
 
 }  // namespace
+
+Error CannotWrite(const std::string& path, int reason) {
+  return Failure(path + " cannot be written: " + std::generic_category().message(reason));
+}
 
 Status WriteFileWhole(const std::string& path, const std::string& content) {
   return WriteFilesTogether({{path, content}});

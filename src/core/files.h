@@ -10,6 +10,9 @@
 
 namespace yorb {
 
+/// The failure to write a file for a reason of the system, an errno.
+Error CannotWrite(const std::string& path, int reason);
+
 /// Writes `content` beside `path` and renames it into place, so that a reader, a crash or a full disk sees the old
 /// file or the new one, whole. Missing parent folders are made. Failure names the file and the system's reason.
 Status WriteFileWhole(const std::string& path, const std::string& content);

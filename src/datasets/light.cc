@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "core/random.h"
 
 namespace yorb {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kGamma = 2.2;
 constexpr double kBright = 2, kRampDark = 0.03, kFlickerDark = 0.1, kOff = 0.02, kShadow = 0.03;
 constexpr double kRampPeriodS = 8, kRampBrightestS = 2, kSwitchS = 4;
@@ -32,9 +32,9 @@ Random RandomOf(const MovingLight& light, size_t frame, uint64_t use) {
 
 /// The shadow lies to the left of this column of a row.
 int FirstLitColumn(double seconds, int row, cv::Size size) {
-  const double place = 0.5 + 0.5 * std::sin(2 * kPi * seconds / kShadowPeriodS);
+  const double place = 0.5 + 0.5 * std::sin(2 * std::numbers::pi * seconds / kShadowPeriodS);
   const double middle = size.width * (kShadowReach * place - (kShadowReach - 1) / 2);
-  const double slope = std::tan(kMostTiltRad * std::sin(2 * kPi * seconds / kShadowTiltPeriodS));
+  const double slope = std::tan(kMostTiltRad * std::sin(2 * std::numbers::pi * seconds / kShadowTiltPeriodS));
   const double edge = std::ceil(middle - slope * (row - size.height / 2.0));
   return static_cast<int>(std::clamp(edge, 0.0, static_cast<double>(size.width)));
 }
@@ -102,7 +102,7 @@ std::string ToString(LightKind kind) { return LightNames()[static_cast<size_t>(k
 double LightFactor(const MovingLight& light, size_t frame, double seconds) {
   switch (light.kind) {
     case LightKind::kRamp: {
-      const double wave = std::cos(2 * kPi * (seconds - kRampBrightestS) / kRampPeriodS);
+      const double wave = std::cos(2 * std::numbers::pi * (seconds - kRampBrightestS) / kRampPeriodS);
       return Between(kRampDark, kBright, 0.5 + 0.5 * wave);
     }
     case LightKind::kFlicker:

@@ -8,7 +8,6 @@
 namespace yorb {
 namespace {
 
-constexpr int kAnchors = 3;
 constexpr int kObjectness = 4;  // its place among the values of an anchor
 
 float Sigmoid(float x) { return 1.f / (1.f + std::exp(-x)); }

@@ -10,8 +10,6 @@ namespace {
 
 using Shape = std::vector<int64_t>;
 
-constexpr int kAnchors = 3;  // a cell and map
-
 /// The strides that networks have maps of, the common ones first.
 const std::vector<std::vector<int>>& StrideSets() {
   static const std::vector<std::vector<int>> sets{{8, 16, 32}, {8, 16, 32, 64}, {4, 8, 16, 32}};

@@ -10,6 +10,8 @@
 
 namespace yorb {
 
+constexpr int kAnchors = 3;  ///< of a cell in a map of YOLOv5's
+
 /// How the outputs of a network are to be read.
 enum class LayoutKind {
   kAnchorRows,     ///< YOLOv5: (1, N, 5+C), N three times the cells: centre, size, objectness, classes

@@ -16,8 +16,6 @@ namespace {
 
 using Dims = std::vector<int64_t>;
 
-NetOutputs One(NetValue value) { return std::vector<NetValue>{std::move(value)}; }
-
 /// The strides of one operand along the axes of the result; 0 where it is repeated.
 Dims BroadcastStrides(const NetValue& value, const Dims& dims) {
   Dims strides(dims.size(), 0);

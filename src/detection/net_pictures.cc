@@ -20,8 +20,6 @@ namespace {
 
 using Dims = std::vector<int64_t>;
 
-NetOutputs One(NetValue value) { return std::vector<NetValue>{std::move(value)}; }
-
 std::shared_ptr<xnn_operator> Owned(xnn_operator_t op) {
   return {op, [](xnn_operator_t gone) { xnn_delete_operator(gone); }};
 }

@@ -65,6 +65,9 @@ struct NetNode {
 /// What an operator gives; an error says why it is not read, in words that follow "operator X".
 using NetOutputs = Result<std::vector<NetValue>>;
 
+/// What an operator with one output gives.
+inline NetOutputs One(NetValue value) { return std::vector<NetValue>{std::move(value)}; }
+
 /// Adds the steps of one operator. The three families know which operators are theirs; the answer is an error without
 /// a message for those that are not.
 NetOutputs AddShapeOperator(const NetNode& node);    ///< Reshape, Transpose, Slice, Concat ...

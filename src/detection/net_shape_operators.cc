@@ -16,8 +16,6 @@ namespace {
 
 using Dims = std::vector<int64_t>;
 
-NetOutputs One(NetValue value) { return std::vector<NetValue>{std::move(value)}; }
-
 /// An axis counted from the front; nothing beyond the rank.
 Result<size_t> AxisOf(int64_t axis, size_t rank) {
   const int64_t from_front = axis < 0 ? axis + static_cast<int64_t>(rank) : axis;

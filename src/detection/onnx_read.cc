@@ -15,8 +15,6 @@ namespace {
 
 using Field = ProtoField;
 
-Error Damaged() { return BadInput("is damaged or cut short"); }
-
 Result<OnnxAttribute> ParseAttribute(std::string_view message, const std::string& folder) {
   OnnxAttribute attribute;
   ProtoReader reader(message);
@@ -42,13 +40,13 @@ Result<OnnxAttribute> ParseAttribute(std::string_view message, const std::string
       }
       case 7: {
         const auto floats = ProtoFloats(*field);
-        if (!floats) return Damaged();
+        if (!floats) return DamagedProto();
         attribute.floats.insert(attribute.floats.end(), floats->begin(), floats->end());
         break;
       }
       case 8: {
         const auto ints = ProtoIntegers(*field);
-        if (!ints) return Damaged();
+        if (!ints) return DamagedProto();
         attribute.ints.insert(attribute.ints.end(), ints->begin(), ints->end());
         break;
       }
@@ -59,7 +57,7 @@ Result<OnnxAttribute> ParseAttribute(std::string_view message, const std::string
         break;
     }
   }
-  if (reader.is_damaged()) return Damaged();
+  if (reader.is_damaged()) return DamagedProto();
   return attribute;
 }
 
@@ -77,7 +75,7 @@ Result<OnnxNode> ParseNode(std::string_view message, const std::string& folder) 
     if (!attribute) return attribute.error();
     node.attributes.push_back(*std::move(attribute));
   }
-  if (reader.is_damaged()) return Damaged();
+  if (reader.is_damaged()) return DamagedProto();
   return node;
 }
 
@@ -139,7 +137,7 @@ Status ParseGraph(std::string_view message, const std::string& folder, OnnxModel
       return BadInput("holds sparse weights, which are not read; export without them");
     }
   }
-  return reader.is_damaged() ? Status(Damaged()) : Status::Ok();
+  return reader.is_damaged() ? Status(DamagedProto()) : Status::Ok();
 }
 
 std::pair<std::string, std::string> ParseEntry(std::string_view message) {

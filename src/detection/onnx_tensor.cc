@@ -42,8 +42,6 @@ struct RawTensor {
   std::map<std::string, std::string> external;
 };
 
-Error Damaged() { return BadInput("is damaged or cut short"); }
-
 template <typename T>
 bool Append(std::vector<T>& all, const std::optional<std::vector<T>>& more) {
   if (!more) return false;
@@ -239,9 +237,9 @@ std::optional<size_t> CountOf(const std::vector<int64_t>& dims) {
 
 Result<OnnxTensor> ParseOnnxTensor(std::string_view message, const std::string& folder) {
   auto raw = ReadFields(message);
-  if (!raw) return Damaged();
+  if (!raw) return DamagedProto();
   const auto count = CountOf(raw->tensor.dims);
-  if (!count) return Damaged();
+  if (!count) return DamagedProto();
   raw->tensor.is_whole = IsWhole(raw->type);
   if (raw->is_external) {
     const auto bytes = ReadExternal(*raw, folder);
@@ -252,7 +250,7 @@ Result<OnnxTensor> ParseOnnxTensor(std::string_view message, const std::string& 
   } else {
     FromFields(*raw);
   }
-  if (raw->tensor.size() != *count) return Damaged();
+  if (raw->tensor.size() != *count) return DamagedProto();
   return std::move(raw->tensor);
 }
 

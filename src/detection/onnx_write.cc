@@ -52,7 +52,7 @@ std::string TensorBytes(const OnnxTensor& tensor) {
 }
 
 std::string AttributeBytes(const OnnxAttribute& attribute) {
-  enum Type { kFloat = 1, kInt = 2, kString = 3, kTensor = 4, kFloats = 6, kInts = 7 };
+  enum AttributeType { kFloat = 1, kInt = 2, kString = 3, kTensor = 4, kFloats = 6, kInts = 7 };
   ProtoWriter writer;
   writer.Bytes(1, attribute.name);
   if (attribute.type == kFloat) writer.Number(2, attribute.number);

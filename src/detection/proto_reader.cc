@@ -26,6 +26,8 @@ std::optional<std::vector<T>> Unpacked(const ProtoField& field, ProtoField::Kind
 
 }  // namespace
 
+Error DamagedProto() { return BadInput("is damaged or cut short"); }
+
 float ProtoField::AsFloat() const { return FromBytes<float>(reinterpret_cast<const char*>(&bits)); }
 
 std::optional<uint64_t> ProtoReader::Varint() {

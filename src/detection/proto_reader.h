@@ -41,6 +41,9 @@ class ProtoReader {
   bool is_damaged_ = false;
 };
 
+/// What is said of a file whose messages end too early.
+Error DamagedProto();
+
 /// The numbers of a repeated field: a packed list, or the one number of an unpacked entry.
 std::optional<std::vector<int64_t>> ProtoIntegers(const ProtoField& field);
 std::optional<std::vector<float>> ProtoFloats(const ProtoField& field);

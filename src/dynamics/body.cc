@@ -10,9 +10,7 @@ namespace yorb {
 namespace {
 
 constexpr double kGrow = 0.1;          // of the box, on each side
-constexpr double kRing = 0.25;         // width of the surroundings, of the box's sides
 constexpr float kLeastAround = 0.25f;  // of the cells of a box, so that its surroundings have their full say
-constexpr float kLeastMeasured = 24;   // cells
 constexpr int kStep = 2;               // cells, in sums that need not be finer
 
 /// Cells that were measured, and how many of them are at a body.
@@ -99,7 +97,7 @@ Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& b
   const double side = std::min(box.width(), box.height());
   const CellRange inner = search.depth.RangeOf(box);
   const CellRange grown = search.depth.RangeOf(box, kGrow * side);
-  const CellRange outer = search.depth.RangeOf(box, (kGrow + kRing) * side);
+  const CellRange outer = search.depth.RangeOf(box, (kGrow + kSurroundings) * side);
   Counts inside;
   std::array<Counts, 4> around;  // above, below, left, right
   for (int row = outer.top; row < outer.bottom; row += kStep) {

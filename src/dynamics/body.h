@@ -16,6 +16,9 @@ constexpr uint8_t kLying = 2;  ///< a desk or a floor
 
 constexpr int kInexactCells = 2;  ///< by which a box may be too small, in cells on each side
 
+constexpr double kSurroundings = 0.25;  ///< how wide what surrounds a box is, of the box's sides
+constexpr float kLeastMeasured = 24;    ///< cells, to say anything of a box or of what surrounds it
+
 /// What speaks for a body in a box.
 struct BodySign {
   float metres = 0;     ///< its densest depth

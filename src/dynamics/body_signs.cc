@@ -13,8 +13,6 @@ constexpr float kBinM = 0.05f;        // of the histogram of depths
 constexpr int kBins = 240;            // up to 12 m, farther than such sensors see
 constexpr int kWindowBins = 6;        // 0.3 m: a torso
 constexpr int kWallBins = 3;          // 0.15 m: what so near a body's depth surrounds it is one thing with it
-constexpr double kRing = 0.25;        // width of the surroundings, of the box's sides
-constexpr float kLeastMeasured = 24;  // cells
 constexpr size_t kMostSigns = 3;      // in one box
 constexpr float kLeastOther = 0.05f;  // share of the second sign and the third
 constexpr float kMemory = 1.5f;       // how many times more being near the last depth is worth
@@ -54,7 +52,7 @@ float CountMeasured(const DepthCells& depth, const CellRange& range) {
 /// Depths around a box that lie in no other box.
 Histogram Around(const BodySearch& search, const Box& box) {
   const CellRange inner = search.depth.RangeOf(box);
-  const CellRange outer = search.depth.RangeOf(box, kRing * std::min(box.width(), box.height()));
+  const CellRange outer = search.depth.RangeOf(box, kSurroundings * std::min(box.width(), box.height()));
   Histogram counts{};
   for (int row = outer.top; row < outer.bottom; ++row) {
     for (int column = outer.left; column < outer.right; ++column) {

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/test_depth.h"
+
 namespace yorb {
 namespace {
-
-constexpr int kWidth = 640, kHeight = 480;
 
 /// A wall at 3 m with something at 1.5 m before it.
 DepthCells WithThing(const cv::Rect& thing) {

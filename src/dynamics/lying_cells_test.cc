@@ -9,12 +9,12 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "dynamics/test_depth.h"
 
 namespace yorb {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 480;
-constexpr double kFocal = 520, kMetresPerUnit = 0.0002, kPitch = 0.52, kAboveM = 0.6, kWallM = 1.8;
+constexpr double kFocal = 520, kPitch = 0.52, kAboveM = 0.6, kWallM = 1.8;
 
 enum class Part { kDesk, kWall, kColumn };
 

@@ -10,11 +10,11 @@
 namespace yorb {
 namespace {
 
-constexpr double kGrow = 0.5;    // how far around a box to look, of its sides
-constexpr float kStepM = 0.06f;  // from cell to cell on one surface: the slant of a wall,
-constexpr float kNoise = 0.02f;  // and more far away, 1/m
-constexpr int kLeastCells = 24;  // of a body, to say anything
-constexpr double kGoesOn = 0.5;  // as much outside, of what is within
+constexpr double kLookAround = 0.5;  // how far around a box to look, of its sides
+constexpr float kStepM = 0.06f;      // from cell to cell on one surface: the slant of a wall,
+constexpr float kNoise = 0.02f;      // and more far away, 1/m
+constexpr int kLeastBodyCells = 24;  // of a body, to say anything
+constexpr double kGoesOn = 0.5;      // as much outside, of what is within
 
 bool IsIn(const CellRange& range, int column, int row) {
   return column >= range.left && column < range.right && row >= range.top && row < range.bottom;
@@ -28,7 +28,7 @@ class Surface {
         body_(body),
         box_(search.depth.RangeOf(box)),
         near_(search.depth.RangeOf(box, kInexactCells * kDepthCellPx)),
-        all_(search.depth.RangeOf(box, kGrow * std::max(box.width(), box.height()))),
+        all_(search.depth.RangeOf(box, kLookAround * std::max(box.width(), box.height()))),
         is_seen_(static_cast<size_t>(all_.size()), false) {
     for (int row = box_.top; row < box_.bottom; ++row) {
       for (int column = box_.left; column < box_.right; ++column) {
@@ -85,7 +85,7 @@ class Surface {
 
 bool GoesOnBeyond(const BodySearch& search, const Box& box, const BodyPlane& body) {
   const Surface surface(search, box, body);
-  return surface.num_within() >= kLeastCells &&
+  return surface.num_within() >= kLeastBodyCells &&
          static_cast<double>(surface.num_beyond()) > kGoesOn * static_cast<double>(surface.num_within());
 }
 

@@ -8,12 +8,10 @@
 #include <algorithm>
 
 #include "core/random.h"
+#include "dynamics/test_depth.h"
 
 namespace yorb {
 namespace {
-
-constexpr int kWidth = 640, kHeight = 480;
-constexpr double kMetresPerUnit = 0.0002;
 
 /// A scene and whose pixel is whose.
 struct Scene {

@@ -10,15 +10,15 @@
 namespace yorb {
 namespace {
 
-constexpr float kFarM = 5;              // beyond it, noise hides a body before a wall
-constexpr float kOffM = 0.03f;          // from the wall: a frame, a fold of paper,
-constexpr float kNoise = 0.005f;        // and more far away, 1/m
-constexpr float kLeastCells = 24;       // measured in the box
-constexpr float kLeastMeasured = 0.4f;  // of its cells
-constexpr float kLeastOn = 0.85f;       // of what is measured: the rest may be what hangs before the wall
-constexpr int kBesideCells = 8;         // how far beyond a box to look for the wall
-constexpr float kLeastBeside = 0.3f;    // of the cells of one side, measured: fewer say nothing
-constexpr float kMostBehind = 0.3f;     // of these, behind the wall: that is how a body ends
+constexpr float kFarM = 5;                   // beyond it, noise hides a body before a wall
+constexpr float kOffM = 0.03f;               // from the wall: a frame, a fold of paper,
+constexpr float kNoise = 0.005f;             // and more far away, 1/m
+constexpr float kLeastWallCells = 24;        // measured in the box
+constexpr float kLeastShareMeasured = 0.4f;  // of its cells
+constexpr float kLeastOn = 0.85f;            // of what is measured: the rest may be what hangs before the wall
+constexpr int kBesideCells = 8;              // how far beyond a box to look for the wall
+constexpr float kLeastBeside = 0.3f;         // of the cells of one side, measured: fewer say nothing
+constexpr float kMostBehind = 0.3f;          // of these, behind the wall: that is how a body ends
 
 /// Metres measured in a cell; 0 for none, or where a body is known to be.
 float MetresAt(const BodySearch& search, int column, int row) {
@@ -49,7 +49,7 @@ CellPlane FitWall(const BodySearch& search, const CellRange& range) {
         if (metres > 0 && std::abs(Behind(wall, column, row, metres)) <= near) fit.Add(column, row, metres);
       }
     }
-    if (fit.weight() < kLeastCells) break;
+    if (fit.weight() < kLeastWallCells) break;
     wall = fit.Solve(kStiffness);
   }
   return wall;
@@ -89,7 +89,7 @@ bool LiesInAWall(const BodySearch& search, const Box& box) {
   const CellRange range = search.depth.RangeOf(box);
   const CellPlane wall = FitWall(search, range);
   const Count inside = CountIn(search, wall, range, false);
-  const float least = std::max(kLeastCells, kLeastMeasured * static_cast<float>(range.size()));
+  const float least = std::max(kLeastWallCells, kLeastShareMeasured * static_cast<float>(range.size()));
   if (inside.measured < least || !IsOn(inside)) return false;
 
   constexpr int kFrom = kInexactCells, kTo = kInexactCells + kBesideCells;

@@ -8,12 +8,12 @@
 #include <functional>
 
 #include "core/random.h"
+#include "dynamics/test_depth.h"
 
 namespace yorb {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 480;
-const Box kBox{"person", 0.9, 240, 120, 400, 380};
+const Box kPoster{"person", 0.9, 240, 120, 400, 380};
 
 /// A depth picture of `metres` at each pixel, with a sensor's noise and holes.
 DepthImage Measured(const std::function<double(int x, int y)>& metres) {
@@ -38,15 +38,15 @@ bool IsWall(const DepthImage& image, const Box& box, const std::vector<Box>& bod
 }
 
 TEST(LiesInAWall, APosterDoes) {
-  EXPECT_TRUE(IsWall(Measured(Wall), kBox));
+  EXPECT_TRUE(IsWall(Measured(Wall), kPoster));
   EXPECT_TRUE(IsWall(Measured(Wall), {"person", 0.9, 0, 120, 160, 380})) << "at the left edge of the picture";
   EXPECT_TRUE(IsWall(Measured(Wall), {"person", 0.9, 300, 0, kWidth, kHeight})) << "only the left of it is in view";
 }
 
 TEST(LiesInAWall, TwoPeopleOfOnePosterDo) {
   const Box other{"person", 0.8, 380, 100, kWidth, 470};
-  EXPECT_TRUE(IsWall(Measured(Wall), kBox, {kBox, other}));
-  EXPECT_TRUE(IsWall(Measured(Wall), other, {kBox, other})) << "all beside it lies in the first one's box";
+  EXPECT_TRUE(IsWall(Measured(Wall), kPoster, {kPoster, other}));
+  EXPECT_TRUE(IsWall(Measured(Wall), other, {kPoster, other})) << "all beside it lies in the first one's box";
 }
 
 TEST(LiesInAWall, WhoStandsOrLeansBeforeItDoesNot) {
@@ -56,14 +56,14 @@ TEST(LiesInAWall, WhoStandsOrLeansBeforeItDoesNot) {
       const double round = 1 - across * across - along * along;
       return Wall(x, y) - (round > 0 ? off * std::sqrt(round) : 0);
     });
-    EXPECT_FALSE(IsWall(image, kBox)) << off << " m before the wall";
+    EXPECT_FALSE(IsWall(image, kPoster)) << off << " m before the wall";
   }
 }
 
 TEST(LiesInAWall, WhoFillsADoorDoesNot) {
   const auto door =
       Measured([](int x, int y) { return x > 244 && x < 396 && y > 124 ? Wall(x, y) + 0.4 : Wall(x, y); });
-  EXPECT_FALSE(IsWall(door, kBox));
+  EXPECT_FALSE(IsWall(door, kPoster));
 }
 
 TEST(LiesInAWall, WhoFillsABoxDoesNot) {
@@ -72,20 +72,20 @@ TEST(LiesInAWall, WhoFillsABoxDoesNot) {
     return Measured([=](int x, int y) { return x > left && x < right && y > top ? 1.5 : Wall(x, y); });
   };
   EXPECT_FALSE(IsWall(before(300, -1, kWidth), {"person", 0.9, 300, 0, kWidth, kHeight}));
-  EXPECT_FALSE(IsWall(before(240, 120, 400), kBox));
+  EXPECT_FALSE(IsWall(before(240, 120, 400), kPoster));
 }
 
 TEST(LiesInAWall, WhereTheWallEndsNothingIsSaid) {
   const auto image = Measured([](int x, int y) { return x < 400 ? Wall(x, y) : 4.5; });
-  EXPECT_FALSE(IsWall(image, kBox)) << "a flat body that its box cuts on the left would look like that";
+  EXPECT_FALSE(IsWall(image, kPoster)) << "a flat body that its box cuts on the left would look like that";
 }
 
 TEST(LiesInAWall, IsNotSaidWithoutSurroundingsOrFarAway) {
   EXPECT_FALSE(IsWall(Measured(Wall), {"person", 0.9, 0, 0, kWidth, kHeight}));
   const auto gap = Measured([](int x, int y) { return x > 224 && x < 416 && y > 104 && y < 396 ? Wall(x, y) : 1.0; });
-  EXPECT_FALSE(IsWall(gap, kBox, {{"person", 0.9, 0, 0, kWidth, kHeight}})) << "another body is all around";
-  EXPECT_FALSE(IsWall(Measured([](int, int) { return 7; }), kBox));
-  EXPECT_FALSE(IsWall(Measured([](int, int) { return 0; }), kBox));
+  EXPECT_FALSE(IsWall(gap, kPoster, {{"person", 0.9, 0, 0, kWidth, kHeight}})) << "another body is all around";
+  EXPECT_FALSE(IsWall(Measured([](int, int) { return 7; }), kPoster));
+  EXPECT_FALSE(IsWall(Measured([](int, int) { return 0; }), kPoster));
 }
 
 }  // namespace

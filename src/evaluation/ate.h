@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/stats.h"
@@ -10,6 +11,8 @@
 #include "geometry/trajectory.h"
 
 namespace yorb {
+
+constexpr size_t kLeastPairsToAlign = 3;  ///< of positions, for an alignment
 
 /// How the estimate is brought to the reference before the error is taken.
 enum class EvalAlign { kSe3, kSim3, kNone };

@@ -12,9 +12,8 @@ namespace yorb {
 namespace {
 
 constexpr double kLongestOffset = 4e9;  // seconds; sums with any stamp stay whole
-constexpr size_t kLeastPairs = 3;
-constexpr double kManyOdd = 0.05;  // share of odd RPE pairs worth a word
-constexpr double kLongStep = 10;   // seconds between frames: rather counts or another unit
+constexpr double kManyOdd = 0.05;       // share of odd RPE pairs worth a word
+constexpr double kLongStep = 10;        // seconds between frames: rather counts or another unit
 
 int64_t Nanoseconds(double seconds) { return std::llround(1e9 * seconds); }
 
@@ -106,7 +105,7 @@ Result<Evaluation> Evaluate(const ReadTrajectory& reference, const ReadTrajector
   result.pairs =
       AssociateStamps(StampsOf(reference.poses), StampsOf(estimate.poses), options.max_difference, options.time_offset);
   if (result.pairs.empty()) return NothingInCommon(reference, estimate, options);
-  if (result.pairs.size() < kLeastPairs) {
+  if (result.pairs.size() < kLeastPairsToAlign) {
     return BadInput(estimate.path + ": only " + std::to_string(result.pairs.size()) + " of " +
                     std::to_string(estimate.poses.size()) + " poses could be paired with " + reference.path +
                     "; an alignment needs 3 or more");

@@ -15,8 +15,7 @@
 namespace yorb {
 namespace {
 
-constexpr double kMaxDifference = 0.02;  // seconds
-constexpr size_t kLeastPairs = 3;
+constexpr double kMaxDifference = 0.02;    // seconds
 constexpr int64_t kMargin_ns = 500000000;  // of the reference around the run
 
 /// The state words and how they are shown; any other word is shown in the last colour.
@@ -77,7 +76,7 @@ Comparison Compare(const RunReport& report) {
   result.charts.estimates = {{"estimate", report.trajectory}};
   result.charts.keyframes = report.keyframes;
   const auto pairs = AssociateStamps(StampsOf(report.reference), StampsOf(report.trajectory), kMaxDifference);
-  if (pairs.size() < kLeastPairs) return result;
+  if (pairs.size() < kLeastPairsToAlign) return result;
   const AbsoluteError error = ComputeAbsoluteError(report.reference, report.trajectory, pairs, EvalAlign::kSe3);
   result.charts.reference = ReferenceDuring(report);
   result.charts.estimates[0].poses = Aligned(error.reference_from_estimate, report.trajectory);

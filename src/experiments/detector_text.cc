@@ -64,7 +64,7 @@ std::optional<double> RatioOf(const DetectorBenchRow& row) {
   return row.opencv_cpu_ms && *row.opencv_cpu_ms > 0 ? std::optional(row.cpu_ms / *row.opencv_cpu_ms) : std::nullopt;
 }
 
-std::optional<double> Map(const DetectorBenchRow& row, bool at_50) {
+std::optional<double> MeanPrecision(const DetectorBenchRow& row, bool at_50) {
   if (!row.judgement) return std::nullopt;
   return at_50 ? row.judgement->scores.map50 : row.judgement->scores.map50_95;
 }
@@ -114,7 +114,7 @@ std::string DetectorText(const DetectorReport& report) {
                     FormatFixed(row.latency_ms, 1), FormatFixed(row.cpu_ms, 1),
                     FormatFixed(row.latency_ms > 0 ? 1000 / row.latency_ms : 0, 0), Number(RatioOf(row), 2),
                     Number(MeanOf(row.judgement, false), 3), Number(MeanOf(row.judgement, true), 3),
-                    Number(Map(row, true), 3), Number(Map(row, false), 3), row.engine});
+                    Number(MeanPrecision(row, true), 3), Number(MeanPrecision(row, false), 3), row.engine});
   }
   text +=
       "Networks side by side, one thread, picture of 640x480 to boxes; layers are convolutions; x OpenCV: CPU time "
@@ -151,8 +151,8 @@ std::string DetectorJson(const DetectorReport& report) {
                         {"ratio_to_opencv", OrNull(RatioOf(row))},
                         {"recall", OrNull(MeanOf(row.judgement, false))},
                         {"precision", OrNull(MeanOf(row.judgement, true))},
-                        {"map50", OrNull(Map(row, true))},
-                        {"map50_95", OrNull(Map(row, false))},
+                        {"map50", OrNull(MeanPrecision(row, true))},
+                        {"map50_95", OrNull(MeanPrecision(row, false))},
                         {"people", PeopleJson(row)},
                         {"training", row.training}});
   }

@@ -6,24 +6,23 @@
 #include <cmath>
 
 #include "core/stats.h"
+#include "experiments/text_table.h"
 
 namespace yorb {
 namespace {
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The mean of a figure of each run.
 template <typename FigureOf>
 double MeanOver(const std::vector<const DynamicRun*>& runs, FigureOf&& figure_of) {
   double sum = 0;
   for (const DynamicRun* run : runs) sum += figure_of(*run);
-  return runs.empty() ? kNothing : sum / static_cast<double>(runs.size());
+  return runs.empty() ? kNoFigure : sum / static_cast<double>(runs.size());
 }
 
 /// The same of the evaluation.
 template <typename FigureOf>
 double MeanOfEvaluations(const std::vector<const DynamicRun*>& runs, FigureOf&& figure_of) {
-  return MeanOver(runs, [&](const DynamicRun& run) { return run.evaluation ? figure_of(*run.evaluation) : kNothing; });
+  return MeanOver(runs, [&](const DynamicRun& run) { return run.evaluation ? figure_of(*run.evaluation) : kNoFigure; });
 }
 
 void FillErrors(DynamicRow& row) {
@@ -35,7 +34,7 @@ void FillErrors(DynamicRow& row) {
       row.runs, [&](const Evaluation& e) { return std::pow(e.ate.summary.rmse - row.ate_m.rmse, 2); });
   row.ate_spread_m = std::sqrt(variance);
   const auto rpe = [](const std::vector<double>& pairs, const Summary& summary) {
-    return pairs.empty() ? kNothing : summary.rmse;
+    return pairs.empty() ? kNoFigure : summary.rmse;
   };
   row.rpe_m = MeanOfEvaluations(row.runs,
                                 [&](const Evaluation& e) { return rpe(e.rpe.translation, e.rpe.translation_summary); });

@@ -15,7 +15,7 @@
 namespace yorb {
 namespace {
 
-constexpr int kFrames = 10;
+constexpr int kNumFrames = 10;
 
 /// What stands beside the pictures of a room with people, in a scratch folder.
 void WriteTruth(const RoomDataset& room, const TestFolder& folder) {
@@ -39,7 +39,7 @@ void WriteTruth(const RoomDataset& room, const TestFolder& folder) {
 class DynamicBench : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    room_ = new RoomDataset(kFrames, 3);
+    room_ = new RoomDataset(kNumFrames, 3);
     folder_ = new TestFolder();
     WriteTruth(*room_, *folder_);
     options_ = new DynamicBenchOptions();
@@ -76,7 +76,7 @@ TEST_F(DynamicBench, RunsEveryWayWithEverySeedInTheOrderOfTheTables) {
   for (size_t i = 0; i < runs.size(); ++i) {
     EXPECT_EQ(runs[i].way, ways[i / 2]);
     EXPECT_EQ(runs[i].seed, static_cast<int64_t>(1 + i % 2));
-    EXPECT_EQ(runs[i].num_frames, static_cast<size_t>(kFrames));
+    EXPECT_EQ(runs[i].num_frames, static_cast<size_t>(kNumFrames));
     EXPECT_TRUE(runs[i].evaluation.has_value());
   }
   EXPECT_EQ(runs[4].coverage, 1);
@@ -96,7 +96,7 @@ TEST_F(DynamicBench, PointsGoWhereThePeopleAreAndOnlyWithBoxes) {
       static_cast<double>(all.num_kept_wrongly) / static_cast<double>(all.num_kept_wrongly + all.num_kept_rightly);
   EXPECT_GT(exact.removal->Precision(), 2 * share);
   const size_t num_removed = exact.removal->num_removed_rightly + exact.removal->num_removed_wrongly;
-  EXPECT_NEAR(exact.num_removed * kFrames, static_cast<double>(num_removed), 1e-6);
+  EXPECT_NEAR(exact.num_removed * kNumFrames, static_cast<double>(num_removed), 1e-6);
 }
 
 TEST_F(DynamicBench, TextJsonAndFiguresSayTheSame) {

@@ -16,8 +16,6 @@ namespace {
 using Cells = std::vector<std::string>;
 
 constexpr double kFullCoverage = 0.95;
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
 Cells ReductionCells(const ErrorFigures& share) {
   return {NumberCell(100 * share.rmse, 1), NumberCell(100 * share.mean, 1), NumberCell(100 * share.std, 1)};
 }
@@ -99,7 +97,7 @@ std::string TimeTable(const std::vector<DynamicRow>& rows) {
     Cells cells = {row.sequence, row.way};
     for (const std::string& stage : stages) {
       const auto found = row.stage_ms.find(stage);
-      cells.push_back(NumberCell(found == row.stage_ms.end() ? kNothing : found->second, 2));
+      cells.push_back(NumberCell(found == row.stage_ms.end() ? kNoFigure : found->second, 2));
     }
     table.push_back(cells);
     is_any_published = is_any_published || !PublishedErrors(row.sequence).empty();
@@ -116,7 +114,7 @@ std::string TimeTable(const std::vector<DynamicRow>& rows) {
 
 std::string DynamicRunText(const DynamicRun& run) {
   return run.sequence + ", " + run.way + ", seed " + std::to_string(run.seed) + ": ATE " +
-         NumberCell(run.evaluation ? run.evaluation->ate.summary.rmse : kNothing, 4) + " m, coverage " +
+         NumberCell(run.evaluation ? run.evaluation->ate.summary.rmse : kNoFigure, 4) + " m, coverage " +
          FormatFixed(100 * run.coverage, 1) + " %, " + FormatFixed(run.wall_s, 1) + " s\n";
 }
 

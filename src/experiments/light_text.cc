@@ -8,23 +8,22 @@
 
 #include "core/text.h"
 #include "evaluation/chart.h"
+#include "experiments/text_table.h"
 #include "runs/stage_json.h"
 
 namespace yorb {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
 /// Mean and minimum over frames.
 struct MeanAndMin {
-  double mean = kNothing, min = kNothing;
+  double mean = kNoFigure, min = kNoFigure;
 };
 
 /// All seeds of one light and front end together.
-struct LightRow {
+struct LightingRow {
   LightKind light = LightKind::kSteady;
   std::string front_end;
-  double ate_m = kNothing, ate_ratio = kNothing, coverage = kNothing;
+  double ate_m = kNoFigure, ate_ratio = kNoFigure, coverage = kNoFigure;
   MeanAndMin features, points;
   std::vector<const LightRun*> runs;
 };
@@ -32,7 +31,7 @@ struct LightRow {
 double MeanOf(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
-  return values.empty() ? kNothing : sum / static_cast<double>(values.size());
+  return values.empty() ? kNoFigure : sum / static_cast<double>(values.size());
 }
 
 MeanAndMin Over(const std::vector<const LightRun*>& runs, int LightFrame::*count) {
@@ -44,10 +43,10 @@ MeanAndMin Over(const std::vector<const LightRun*>& runs, int LightFrame::*count
   return {MeanOf(values), *std::min_element(values.begin(), values.end())};
 }
 
-void Fill(LightRow& row) {
+void Fill(LightingRow& row) {
   std::vector<double> errors, coverages;
   for (const LightRun* run : row.runs) {
-    errors.push_back(run->ate_m.value_or(kNothing));
+    errors.push_back(run->ate_m.value_or(kNoFigure));
     coverages.push_back(run->coverage);
   }
   row.ate_m = MeanOf(errors);
@@ -57,37 +56,27 @@ void Fill(LightRow& row) {
 }
 
 /// In the order in which they first appear; a run that failed to give an error makes its row's unknown.
-std::vector<LightRow> RowsOf(const LightReport& report) {
-  std::vector<LightRow> rows;
+std::vector<LightingRow> RowsOf(const LightReport& report) {
+  std::vector<LightingRow> rows;
   const auto row_of = [&](LightKind light, const std::string& front_end) {
     return std::find_if(rows.begin(), rows.end(),
-                        [&](const LightRow& row) { return row.light == light && row.front_end == front_end; });
+                        [&](const LightingRow& row) { return row.light == light && row.front_end == front_end; });
   };
   for (const LightRun& run : report.runs) {
     auto row = row_of(run.light, run.front_end);
     if (row == rows.end()) {
-      rows.push_back({run.light, run.front_end, kNothing, kNothing, kNothing, {}, {}, {}});
+      rows.push_back({run.light, run.front_end, kNoFigure, kNoFigure, kNoFigure, {}, {}, {}});
       row = rows.end() - 1;
     }
     row->runs.push_back(&run);
   }
-  for (LightRow& row : rows) Fill(row);
-  for (LightRow& row : rows) {
+  for (LightingRow& row : rows) Fill(row);
+  for (LightingRow& row : rows) {
     const auto steady = row_of(LightKind::kSteady, row.front_end);
     if (steady != rows.end()) row.ate_ratio = row.ate_m / steady->ate_m;
   }
   return rows;
 }
-
-std::string Right(const std::string& text, size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
-std::string Left(const std::string& text, size_t width) {
-  return text + std::string(width - std::min(width, text.size()), ' ');
-}
-
-std::string Number(double value, int decimals) { return std::isfinite(value) ? FormatFixed(value, decimals) : "-"; }
 
 nlohmann::ordered_json Json(const MeanAndMin& value) {
   return {{"mean", NumberOrNull(value.mean)}, {"min", NumberOrNull(value.min)}};
@@ -116,32 +105,30 @@ Chart ChartOf(const std::vector<const LightRun*>& runs, const std::string& y_lab
 
 std::string LightRunText(const LightRun& run) {
   return ToString(run.light) + ", " + run.front_end + ", seed " + std::to_string(run.seed) + ": ATE " +
-         Number(run.ate_m.value_or(kNothing), 4) + " m, coverage " + FormatFixed(100 * run.coverage, 1) + " %, " +
+         NumberCell(run.ate_m.value_or(kNoFigure), 4) + " m, coverage " + FormatFixed(100 * run.coverage, 1) + " %, " +
          FormatFixed(run.wall_s, 1) + " s\n";
 }
 
 std::string LightText(const LightReport& report) {
-  std::string text = Left("light", 9) + Left("front end", 15) + Right("ATE m", 8) + Right("of steady", 11) +
-                     Right("coverage %", 12) + Right("features", 10) + Right("min", 6) + Right("tracked", 9) +
-                     Right("min", 6) + "\n";
-  for (const LightRow& row : RowsOf(report)) {
-    text += Left(ToString(row.light), 9) + Left(row.front_end, 15) + Right(Number(row.ate_m, 4), 8) +
-            Right(Number(row.ate_ratio, 2), 11) + Right(Number(100 * row.coverage, 1), 12) +
-            Right(Number(row.features.mean, 0), 10) + Right(Number(row.features.min, 0), 6) +
-            Right(Number(row.points.mean, 0), 9) + Right(Number(row.points.min, 0), 6) + "\n";
+  std::vector<std::vector<std::string>> rows{
+      {"light", "front end", "ATE m", "of steady", "coverage %", "features", "min", "tracked", "min"}};
+  for (const LightingRow& row : RowsOf(report)) {
+    rows.push_back({ToString(row.light), row.front_end, NumberCell(row.ate_m, 4), NumberCell(row.ate_ratio, 2),
+                    NumberCell(100 * row.coverage, 1), NumberCell(row.features.mean, 0),
+                    NumberCell(row.features.min, 0), NumberCell(row.points.mean, 0), NumberCell(row.points.min, 0)});
   }
-  return text;
+  return TextTable(rows, 2);
 }
 
 std::string LightJson(const LightReport& report) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   size_t num_seeds = 0;
-  for (const LightRow& row : RowsOf(report)) {
+  for (const LightingRow& row : RowsOf(report)) {
     num_seeds = std::max(num_seeds, row.runs.size());
     nlohmann::ordered_json runs = nlohmann::ordered_json::array();
     for (const LightRun* run : row.runs) {
       runs.push_back({{"seed", run->seed},
-                      {"ate_m", NumberOrNull(run->ate_m.value_or(kNothing))},
+                      {"ate_m", NumberOrNull(run->ate_m.value_or(kNoFigure))},
                       {"coverage", NumberOrNull(run->coverage)}});
     }
     rows.push_back({{"light", ToString(row.light)},

@@ -10,6 +10,7 @@
 
 #include "core/stopwatch.h"
 #include "core/text.h"
+#include "experiments/text_table.h"
 #include "runs/feed.h"
 #include "runs/results.h"
 #include "runs/stage_json.h"
@@ -55,15 +56,9 @@ const ReportStage* FindStage(const std::vector<ReportStage>& stages, const std::
   return found == stages.end() ? nullptr : &*found;
 }
 
-/// `text` filled up with blanks on its left.
-std::string Right(const std::string& text, size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
-std::string Row(const ReportStage& stage) {
-  std::string line = stage.name + std::string(24 - std::min<size_t>(24, stage.name.size()), ' ');
-  for (const double ms : {stage.median_ms, stage.p95_ms, stage.max_ms}) line += Right(FormatFixed(ms, 2), 10);
-  return line + Right(std::to_string(stage.count), 9) + "\n";
+std::vector<std::string> RowOf(const ReportStage& stage) {
+  return {stage.name, FormatFixed(stage.median_ms, 2), FormatFixed(stage.p95_ms, 2), FormatFixed(stage.max_ms, 2),
+          std::to_string(stage.count)};
 }
 
 }  // namespace
@@ -100,13 +95,13 @@ Result<SpeedReport> MeasureSpeed(const Dataset& dataset, const Config& config,
 }
 
 std::string SpeedText(const SpeedReport& report) {
-  std::string text = std::to_string(report.tracked) + " of " + std::to_string(report.frames) +
-                     " frames tracked, mode " + report.mode + "\n" + std::string(24, ' ') + Right("median ms", 10) +
-                     Right("p95 ms", 10) + Right("max ms", 10) + Right("count", 9) + "\n";
+  std::vector<std::vector<std::string>> rows{{"", "median ms", "p95 ms", "max ms", "count"}};
   for (const ReportStage& stage : report.stages) {
-    if (stage.count > 0) text += Row(stage);
+    if (stage.count > 0) rows.push_back(RowOf(stage));
   }
-  text += Row(report.cv_orb);
+  rows.push_back(RowOf(report.cv_orb));
+  std::string text = std::to_string(report.tracked) + " of " + std::to_string(report.frames) +
+                     " frames tracked, mode " + report.mode + "\n" + TextTable(rows, 1);
   const double ratio = report.Ratio();
   if (ratio == ratio)
     text += "a whole frame takes " + FormatFixed(ratio, 2) + " times as long as cv::ORB(1000) alone\n";

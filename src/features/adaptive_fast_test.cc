@@ -14,13 +14,6 @@
 namespace yorb {
 namespace {
 
-GreyImage Padded(const cv::Mat& picture) {
-  GreyImage image;
-  image.Resize(picture.cols, picture.rows);
-  for (int y = 0; y < picture.rows; ++y) std::copy_n(picture.ptr(y), picture.cols, image.Row(y));
-  return image;
-}
-
 cv::Mat Scaled(const cv::Mat& picture, double gain) {
   cv::Mat scaled;
   picture.convertTo(scaled, CV_8U, gain);

@@ -11,13 +11,6 @@
 namespace yorb {
 namespace {
 
-GreyImage Padded(const cv::Mat& picture) {
-  GreyImage image;
-  image.Resize(picture.cols, picture.rows);
-  for (int y = 0; y < picture.rows; ++y) std::copy_n(picture.ptr(y), picture.cols, image.Row(y));
-  return image;
-}
-
 /// cv::ORB blurs a part of a larger picture, which takes another way through OpenCV than a whole one.
 cv::Mat BlurWithinOrb(const cv::Mat& picture) {
   cv::Mat framed, blurred;

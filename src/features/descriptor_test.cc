@@ -16,13 +16,6 @@
 namespace yorb {
 namespace {
 
-GreyImage Padded(const cv::Mat& picture) {
-  GreyImage image;
-  image.Resize(picture.cols, picture.rows);
-  for (int y = 0; y < picture.rows; ++y) std::copy_n(picture.ptr(y), picture.cols, image.Row(y));
-  return image;
-}
-
 /// The slow twin: the pattern turned and read pixel by pixel.
 Descriptor SlowDescriptor(const GreyView& blurred, int x, int y, float angle_rad) {
   const float a = std::cos(angle_rad), b = std::sin(angle_rad);

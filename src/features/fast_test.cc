@@ -15,13 +15,6 @@
 namespace yorb {
 namespace {
 
-GreyImage Padded(const cv::Mat& picture) {
-  GreyImage image;
-  image.Resize(picture.cols, picture.rows);
-  for (int y = 0; y < picture.rows; ++y) std::copy_n(picture.ptr(y), picture.cols, image.Row(y));
-  return image;
-}
-
 /// Equations (1) and (2), word by word.
 bool IsCorner(const GreyView& level, int x, int y, int threshold, int arc) {
   const int centre = level.Row(y)[x];

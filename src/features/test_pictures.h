@@ -3,6 +3,7 @@
 // For tests and benchmarks of the room.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <opencv2/core.hpp>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "core/random.h"
+#include "features/grey_image.h"
 
 namespace yorb {
 
@@ -42,6 +44,14 @@ inline cv::Mat NoisePicture(int width, int height, uint64_t seed) {
     for (int x = 0; x < width; ++x) picture.at<uint8_t>(y, x) = static_cast<uint8_t>(random.Next() >> 56);
   }
   return picture;
+}
+
+/// The picture with the margin that the extractor reads beyond its edges.
+inline GreyImage Padded(const cv::Mat& picture) {
+  GreyImage image;
+  image.Resize(picture.cols, picture.rows);
+  for (int y = 0; y < picture.rows; ++y) std::copy_n(picture.ptr(y), picture.cols, image.Row(y));
+  return image;
 }
 
 /// A folder of the real data set (YORB_DATA, or ../shared/data beside the checkout); empty when absent.

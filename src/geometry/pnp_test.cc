@@ -7,26 +7,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/test_poses.h"
+
 namespace yorb {
 namespace {
 
 using Triple = std::array<Eigen::Vector3d, 3>;
 
-Eigen::Vector3d InCube(Random& random, double half_side) {
-  return {random.Uniform(-half_side, half_side), random.Uniform(-half_side, half_side),
-          random.Uniform(-half_side, half_side)};
-}
-
-Rigid3 RandomPose(Random& random) { return {RotationFromVector(InCube(random, 2)), InCube(random, 3)}; }
-
 Eigen::Vector3d InPicture(Random& random) {
   const double z = random.Uniform(0.5, 6);
   return {random.Uniform(-0.6, 0.6) * z, random.Uniform(-0.45, 0.45) * z, z};
-}
-
-double Distance(const Rigid3& a, const Rigid3& b) {
-  const Rigid3 difference = a * b.Inverse();
-  return difference.translation.norm() + difference.RotationAngle();
 }
 
 struct Scene {
@@ -38,7 +28,7 @@ constexpr double kPixel = 1.0 / 525;
 
 /// Points seen with one pixel of noise; the first `num_wrong` are somewhere else.
 Scene MakeScene(size_t count, size_t num_wrong, Random& random) {
-  Scene scene{RandomPose(random), {}};
+  Scene scene{RandomPose(random, 2, 3), {}};
   for (size_t k = 0; k < count; ++k) {
     const Eigen::Vector3d x_in_cam = InPicture(random);
     const Eigen::Vector3d seen = k < num_wrong ? InPicture(random) : x_in_cam;
@@ -52,7 +42,7 @@ TEST(SolveP3p, FindsTheTruePoseOfRandomTriples) {
   Random random(7);
   std::vector<double> errors;
   for (int k = 0; k < 10000; ++k) {
-    const Rigid3 truth = RandomPose(random);
+    const Rigid3 truth = RandomPose(random, 2, 3);
     Triple directions, points;
     for (size_t i = 0; i < 3; ++i) {
       directions[i] = InPicture(random);
@@ -61,7 +51,7 @@ TEST(SolveP3p, FindsTheTruePoseOfRandomTriples) {
     const std::vector<Rigid3> poses = SolveP3p(directions, points);
     ASSERT_LE(poses.size(), 4u);
     double error = std::numeric_limits<double>::infinity();
-    for (const Rigid3& pose : poses) error = std::min(error, Distance(pose, truth));
+    for (const Rigid3& pose : poses) error = std::min(error, PoseDistance(pose, truth));
     errors.push_back(error);
   }
   std::sort(errors.begin(), errors.end());
@@ -94,7 +84,7 @@ TEST(SolveP3p, FindsTheTruePoseOfSymmetricTriples) {
     const Rigid3 truth(Eigen::Quaterniond::Identity(), {0, 0, z});
     const Triple directions = {truth * points[0], truth * points[1], truth * points[2]};
     double error = std::numeric_limits<double>::infinity();
-    for (const Rigid3& pose : SolveP3p(directions, points)) error = std::min(error, Distance(pose, truth));
+    for (const Rigid3& pose : SolveP3p(directions, points)) error = std::min(error, PoseDistance(pose, truth));
     EXPECT_LT(error, 1e-6) << z;
   }
 }
@@ -119,7 +109,7 @@ TEST(PnpRansac, FindsThePoseAmongHalfWrongObservations) {
     const Scene scene = MakeScene(200, 100, random);
     const auto result = PnpRansac(scene.observations, {}, Random(seed));
     ASSERT_TRUE(result);
-    EXPECT_LT(Distance(result->cam_from_world, scene.truth), 0.05);
+    EXPECT_LT(PoseDistance(result->cam_from_world, scene.truth), 0.05);
     EXPECT_GT(result->num_inliers, 60u);
     EXPECT_EQ(result->num_inliers,
               static_cast<size_t>(std::count(result->is_inlier.begin(), result->is_inlier.end(), true)));

@@ -5,16 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "geometry/test_poses.h"
 
 namespace yorb {
 namespace {
 
-Eigen::Vector3d InCube(Random& random, double half_side) {
-  return {random.Uniform(-half_side, half_side), random.Uniform(-half_side, half_side),
-          random.Uniform(-half_side, half_side)};
-}
-
-Rigid3 RandomPose(Random& random) { return {RotationFromVector(InCube(random, 1.8)), InCube(random, 5)}; }
+Rigid3 AnyPose(Random& random) { return RandomPose(random, 1.8, 5); }
 
 void ExpectEqual(const Rigid3& a, const Rigid3& b) {
   EXPECT_LT((a.rotation.toRotationMatrix() - b.rotation.toRotationMatrix()).norm(), 1e-13);
@@ -24,7 +20,7 @@ void ExpectEqual(const Rigid3& a, const Rigid3& b) {
 TEST(Rigid3, IsAGroupThatActsOnPoints) {
   Random random(1);
   for (int k = 0; k < 200; ++k) {
-    const Rigid3 a = RandomPose(random), b = RandomPose(random), c = RandomPose(random);
+    const Rigid3 a = AnyPose(random), b = AnyPose(random), c = AnyPose(random);
     const Eigen::Vector3d x = InCube(random, 10);
     ExpectEqual(a * a.Inverse(), Rigid3::Identity());
     ExpectEqual(a.Inverse() * a, Rigid3::Identity());
@@ -39,7 +35,7 @@ TEST(Rigid3, IsAGroupThatActsOnPoints) {
 TEST(Rigid3, KeepsDistancesAndHandedness) {
   Random random(2);
   for (int k = 0; k < 200; ++k) {
-    const Rigid3 a = RandomPose(random);
+    const Rigid3 a = AnyPose(random);
     const Eigen::Vector3d x = InCube(random, 10), y = InCube(random, 10);
     EXPECT_NEAR((a * x - a * y).norm(), (x - y).norm(), 1e-12);
     EXPECT_NEAR(a.rotation.toRotationMatrix().determinant(), 1, 1e-13);
@@ -49,7 +45,7 @@ TEST(Rigid3, KeepsDistancesAndHandedness) {
 TEST(Rigid3, MatrixAndQuaternionMakeTheSame) {
   Random random(3);
   for (int k = 0; k < 200; ++k) {
-    const Rigid3 a = RandomPose(random);
+    const Rigid3 a = AnyPose(random);
     ExpectEqual(Rigid3(a.rotation.toRotationMatrix(), a.translation), a);
     const Eigen::Quaterniond longer(3.0 * a.rotation.coeffs());
     ExpectEqual(Rigid3(longer, a.translation), a);
@@ -85,7 +81,7 @@ TEST(Rigid3, StepMovesPointsAsItsJacobianSays) {
   Random random(6);
   const double h = 1e-6;
   for (int k = 0; k < 50; ++k) {
-    const Rigid3 pose = RandomPose(random);
+    const Rigid3 pose = AnyPose(random);
     const Eigen::Vector3d x = InCube(random, 5);
     Eigen::Matrix<double, 3, 6> analytic, numeric;
     analytic << -Skew(pose * x), Eigen::Matrix3d::Identity();

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/random.h"
+#include "geometry/test_poses.h"
 
 namespace yorb {
 namespace {
@@ -18,11 +19,6 @@ View ViewOf(const Rigid3& cam_from_world, const Eigen::Vector3d& x_in_world) {
 Rigid3 CameraAt(const Eigen::Vector3d& centre, const Eigen::Vector3d& rotation) {
   const Eigen::Quaterniond q = RotationFromVector(rotation);
   return {q, -(q * centre)};
-}
-
-Eigen::Vector3d InCube(Random& random, double half_side) {
-  return {random.Uniform(-half_side, half_side), random.Uniform(-half_side, half_side),
-          random.Uniform(-half_side, half_side)};
 }
 
 /// Views from about the origin, far from which `shift` is added to everything.

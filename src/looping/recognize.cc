@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "localize/evidence.h"
 #include "localize/local_map.h"
@@ -13,7 +14,6 @@ namespace yorb {
 namespace {
 
 constexpr float kWide = 5, kNarrow = 2;  // of the usual search around a landmark, first and once a pose is known
-constexpr double kPi = 3.14159265358979323846;
 
 /// A keyframe and what is around it.
 std::vector<KeyframeId> PlaceOf(const Keyframe& keyframe) {
@@ -140,7 +140,7 @@ bool IsPlausible(const Map& map, const Recognition& recognition, const LoopingOp
   const double shift_m = (recognition.cam_from_world.OriginInSource() - newer.cam_from_world.OriginInSource()).norm();
   const double path_m = PathBetween(map, recognition.older, recognition.newer);
   return shift_m <= kAlwaysM + options.drift_per_metre * path_m &&
-         drift.RotationAngle() * 180 / kPi <= options.max_drift_turn_deg;
+         drift.RotationAngle() * 180 / std::numbers::pi <= options.max_drift_turn_deg;
 }
 
 }  // namespace yorb

@@ -14,6 +14,10 @@ struct Landmark;
 using KeyframeId = Id<Keyframe>;
 using LandmarkId = Id<Landmark>;
 
+/// What complaints call them.
+inline std::string NameOf(KeyframeId id) { return "keyframe " + std::to_string(id.value()); }
+inline std::string NameOf(LandmarkId id) { return "landmark " + std::to_string(id.value()); }
+
 /// Where the tracker stands.
 enum class TrackingState {
   kNotInitialized,  ///< nothing has been seen yet that a map could begin with

@@ -15,9 +15,6 @@ namespace {
 // Ids are dense, and a table has a pointer for each 64 of them: beyond any map that was ever made, within any memory.
 constexpr uint32_t kMostKeyframes = 1u << 26, kMostLandmarks = 1u << 31;
 
-std::string Name(KeyframeId id) { return "keyframe " + std::to_string(id.value()); }
-std::string Name(LandmarkId id) { return "landmark " + std::to_string(id.value()); }
-
 /// Whether the ids of the rows rise and stay below the next.
 template <typename Row, typename RowId>
 bool AreIdsSound(const std::vector<Row>& rows, RowId next) {
@@ -37,7 +34,7 @@ std::string CheckChildren(const Map& map) {
     std::vector<KeyframeId> children = keyframe.children;
     std::sort(children.begin(), children.end());
     if (std::adjacent_find(children.begin(), children.end()) != children.end()) {
-      broken = Name(keyframe.id) + " has a child twice";
+      broken = NameOf(keyframe.id) + " has a child twice";
     }
   });
   if (broken.empty() && num_children != num_with_parent) broken = "a keyframe is not among its parent's children";
@@ -55,12 +52,12 @@ std::string CheckRemoved(const Map& map, const std::vector<RemovedKeyframe>& rem
   for (size_t i = 0; i < removed.size(); ++i) {
     std::vector<size_t> walk;
     for (size_t at = i; !is_sound[at];) {
-      if (walk.size() == removed.size()) return Name(removed[i].id) + " follows itself";
+      if (walk.size() == removed.size()) return NameOf(removed[i].id) + " follows itself";
       walk.push_back(at);
       const KeyframeId parent = removed[at].parent;
       if (!parent.IsValid() || map.Find(parent)) break;
       const auto next = row_of(parent);
-      if (next == removed.end() || next->id != parent) return Name(removed[at].id) + " follows one that never was";
+      if (next == removed.end() || next->id != parent) return NameOf(removed[at].id) + " follows one that never was";
       at = static_cast<size_t>(next - removed.begin());
     }
     for (const size_t at : walk) is_sound[at] = true;
@@ -133,8 +130,8 @@ Status MapAssembly::TakeRemoved(const std::vector<RemovedKeyframe>& removed) {
   if (!AreIdsSound(removed, map_.keyframes_.next_id())) return BadInput("it has impossible ids of removed keyframes");
   for (uint32_t id = 0; id < map_.keyframes_.next_id().value(); ++id) map_.past_.Add({});
   for (const RemovedKeyframe& row : removed) {
-    if (map_.Find(row.id)) return BadInput(Name(row.id) + " is there and removed");
-    if (!row.cam_from_parent_cam.IsFinite()) return BadInput(Name(row.id) + " is nowhere");
+    if (map_.Find(row.id)) return BadInput(NameOf(row.id) + " is there and removed");
+    if (!row.cam_from_parent_cam.IsFinite()) return BadInput(NameOf(row.id) + " is nowhere");
     map_.past_.Writable(Id<Map::Past>(row.id.value())) = {row.parent, row.cam_from_parent_cam};
   }
   return StatusOf(CheckRemoved(map_, removed));
@@ -144,7 +141,7 @@ Status MapAssembly::TakeLandmarks(std::vector<Landmark> landmarks, LandmarkId ne
   if (next.value() > kMostLandmarks || !AreIdsSound(landmarks, next)) return BadInput("it has impossible landmark ids");
   for (Landmark& landmark : landmarks) {
     if (!(landmark.first_keyframe < map_.keyframes_.next_id())) {
-      return BadInput(Name(landmark.id) + " was born in a keyframe that never was");
+      return BadInput(NameOf(landmark.id) + " was born in a keyframe that never was");
     }
     map_.landmarks_.SkipTo(landmark.id);
     map_.landmarks_.Add(std::move(landmark));
@@ -163,12 +160,12 @@ Status MapAssembly::LinkViews() {
       const LandmarkId id = keyframe.landmarks[i];
       if (!id.IsValid()) continue;
       if (!map_.Find(id)) {
-        broken = Name(keyframe.id) + " sees " + Name(id) + ", which is not there";
+        broken = NameOf(keyframe.id) + " sees " + NameOf(id) + ", which is not there";
         continue;
       }
       auto& views = map_.landmarks_.Writable(id).views;
       if (!views.empty() && views.back().keyframe == keyframe.id) {
-        broken = Name(keyframe.id) + " sees " + Name(id) + " twice";
+        broken = NameOf(keyframe.id) + " sees " + NameOf(id) + " twice";
       }
       views.push_back({keyframe.id, i});
     }

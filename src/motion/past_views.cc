@@ -7,7 +7,6 @@
 namespace yorb {
 namespace {
 
-constexpr double kIntervalS = 0.25, kLongestS = 3;
 constexpr size_t kMostViews = 10;
 
 /// How pixels with a depth go from one picture to another: (x, y, 1) z of the first becomes `turn` (x, y, 1) z +
@@ -66,8 +65,8 @@ bool IsSeenThrough(const DepthGrid& grid, const Rig& rig, const Eigen::Vector3d&
 }
 
 void PastViews::Add(const DepthGrid& grid, Timestamp at, const CameraPlace& place) {
-  while (!views_.empty() && SecondsBetween(views_.front().at, at) > kLongestS) views_.pop_front();
-  if (grid.empty() || (!views_.empty() && SecondsBetween(views_.back().at, at) < kIntervalS)) return;
+  while (!views_.empty() && SecondsBetween(views_.front().at, at) > kViewLongestS) views_.pop_front();
+  if (grid.empty() || (!views_.empty() && SecondsBetween(views_.back().at, at) < kViewIntervalS)) return;
   if (views_.size() >= kMostViews) views_.pop_front();
   views_.push_back({at, place, grid});
 }

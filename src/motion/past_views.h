@@ -23,6 +23,9 @@ struct CameraPlace {
   }
 };
 
+/// How far apart kept depth pictures are, and how long they say something.
+constexpr double kViewIntervalS = 0.25, kViewLongestS = 3;
+
 /// A depth picture, when it was taken and from where.
 struct DepthView {
   Timestamp at;

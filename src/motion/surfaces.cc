@@ -9,8 +9,7 @@
 namespace yorb {
 namespace {
 
-constexpr size_t kMostViews = 4;
-constexpr double kIntervalS = 0.25, kLongestS = 3;
+constexpr size_t kMostSurfaces = 4;
 constexpr int kStride = 2;             // every so many cells are paired, along rows and columns
 constexpr double kNearestM = 0.1;      // in front of the earlier camera
 constexpr double kLeastFacing = 0.15;  // cosine between a plane's normal and the ray that sees it
@@ -64,8 +63,8 @@ std::optional<PlaneObservation> PairWith(const DepthGrid& past, const Rig& rig, 
 void Surfaces::Add(const DepthGrid& grid, Timestamp at, const CameraPlace& place) {
   if (grid.empty()) return;
   const size_t count = views_.size();
-  if (count >= 2 && SecondsBetween(views_[count - 2].at, views_[count - 1].at) < kIntervalS) views_.pop_back();
-  while (views_.size() >= kMostViews || (!views_.empty() && SecondsBetween(views_.front().at, at) > kLongestS)) {
+  if (count >= 2 && SecondsBetween(views_[count - 2].at, views_[count - 1].at) < kViewIntervalS) views_.pop_back();
+  while (views_.size() >= kMostSurfaces || (!views_.empty() && SecondsBetween(views_.front().at, at) > kViewLongestS)) {
     views_.pop_front();
   }
   views_.push_back({at, place, grid});

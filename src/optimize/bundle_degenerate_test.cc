@@ -11,19 +11,12 @@
 namespace yorb {
 namespace {
 
-const double kNan = std::numeric_limits<double>::quiet_NaN();
-
-WorldProblem SmallWorld(const Noise& noise) {
+WorldProblem SixViews(const Noise& noise) {
   WorldOptions options;
   options.noise = noise;
   options.poses = 6, options.points = 150;
   options.range = 1;
   return MakeWorld(options);
-}
-
-double PoseDistance(const Rigid3& a, const Rigid3& b) {
-  const Rigid3 difference = a * b.Inverse();
-  return difference.translation.norm() + difference.RotationAngle();
 }
 
 BundleResult ExpectFinite(const BundleProblem& problem) {
@@ -37,7 +30,7 @@ BundleResult ExpectFinite(const BundleProblem& problem) {
 }
 
 TEST(AdjustBundleDegenerate, BrokenObservationsAndPointsAreOutliers) {
-  WorldProblem world = SmallWorld({0, 0, 0});
+  WorldProblem world = SixViews({0, 0, 0});
   auto& seen = world.problem.seen;
   seen[0].observation.x_px = kNan;
   seen[1].observation.inverse_variance = kNan;
@@ -53,7 +46,7 @@ TEST(AdjustBundleDegenerate, BrokenObservationsAndPointsAreOutliers) {
 }
 
 TEST(AdjustBundleDegenerate, PointsBehindACameraAreOutliersAndPullAtNothing) {
-  WorldProblem world = SmallWorld({0, 0, 0});
+  WorldProblem world = SixViews({0, 0, 0});
   for (uint32_t point = 0; point < 20; ++point) world.problem.points[point] = Eigen::Vector3d(0.5, 0, -1.0 - point);
   const BundleResult result = ExpectFinite(world.problem);
   for (size_t k = 0; k < world.problem.seen.size(); ++k) {
@@ -64,7 +57,7 @@ TEST(AdjustBundleDegenerate, PointsBehindACameraAreOutliersAndPullAtNothing) {
 
 TEST(AdjustBundleDegenerate, PointsThatStartVeryFarAwayStayFinite) {
   for (const double far : {1e2, 1e4, 1e9, 1e100}) {
-    WorldProblem world = SmallWorld({0, 0, 0.3});
+    WorldProblem world = SixViews({0, 0, 0.3});
     for (uint32_t point = 0; point < 20; ++point)
       world.problem.points[point] = Eigen::Vector3d(0.5, 0, far * (1 + point));
     ExpectFinite(world.problem);
@@ -72,7 +65,7 @@ TEST(AdjustBundleDegenerate, PointsThatStartVeryFarAwayStayFinite) {
 }
 
 TEST(AdjustBundleDegenerate, PointsSeenOnceWithoutDepthDoNoHarm) {
-  WorldProblem world = SmallWorld({0, 0, 0.3});
+  WorldProblem world = SixViews({0, 0, 0.3});
   Random random(5);
   for (uint32_t pose = 0; pose < 6; ++pose) {
     for (int k = 0; k < 30; ++k) {
@@ -87,7 +80,7 @@ TEST(AdjustBundleDegenerate, PointsSeenOnceWithoutDepthDoNoHarm) {
 
 TEST(AdjustBundleDegenerate, CamerasThatOnlyTurnOrStandStillGiveNoDepth) {
   for (const double angle : {0.0, 0.2}) {
-    WorldProblem world = SmallWorld({1, 0, 1});
+    WorldProblem world = SixViews({1, 0, 1});
     const Rigid3 first = world.true_poses[0];
     BundleProblem& problem = world.problem;
     problem.seen.clear();
@@ -105,7 +98,7 @@ TEST(AdjustBundleDegenerate, CamerasThatOnlyTurnOrStandStillGiveNoDepth) {
 }
 
 TEST(AdjustBundleDegenerate, NoFixedPoseNeedsNoGauge) {
-  WorldProblem world = SmallWorld({0, 0, 0});
+  WorldProblem world = SixViews({0, 0, 0});
   std::fill(world.problem.is_fixed.begin(), world.problem.is_fixed.end(), false);
   const BundleResult result = ExpectFinite(world.problem);
   EXPECT_LT(result.final_cost, 1e-8);
@@ -114,7 +107,7 @@ TEST(AdjustBundleDegenerate, NoFixedPoseNeedsNoGauge) {
 }
 
 TEST(AdjustBundleDegenerate, AllPosesFixedMovesPointsOnly) {
-  WorldProblem world = SmallWorld({0, 0, 0});
+  WorldProblem world = SixViews({0, 0, 0});
   std::fill(world.problem.is_fixed.begin(), world.problem.is_fixed.end(), true);
   world.problem.poses = world.true_poses;
   const BundleResult result = ExpectFinite(world.problem);
@@ -126,7 +119,7 @@ TEST(AdjustBundleDegenerate, AllPosesFixedMovesPointsOnly) {
 TEST(AdjustBundleDegenerate, EmptyProblemsAndUnseenRowsComeBackAsTheyWere) {
   const BundleResult nothing = ExpectFinite({});
   EXPECT_TRUE(nothing.poses.empty() && nothing.points.empty() && nothing.iterations == 0);
-  WorldProblem world = SmallWorld({1, 0, 0});
+  WorldProblem world = SixViews({1, 0, 0});
   world.problem.poses.push_back(Rigid3(Eigen::Quaterniond::Identity(), {1, 2, 3}));
   world.problem.is_fixed.push_back(false);
   world.problem.points.push_back({4, 5, 6});

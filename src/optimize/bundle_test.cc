@@ -21,11 +21,6 @@ size_t Count(const std::vector<bool>& flags) {
   return static_cast<size_t>(std::count(flags.begin(), flags.end(), true));
 }
 
-double PoseDistance(const Rigid3& a, const Rigid3& b) {
-  const Rigid3 difference = a * b.Inverse();
-  return difference.translation.norm() + difference.RotationAngle();
-}
-
 double PlainCost(const BundleProblem& problem, const BundleResult& result) {
   double cost = 0;
   for (size_t k = 0; k < problem.seen.size(); ++k) {
@@ -199,7 +194,7 @@ TEST(AdjustBundle, EndsWhereNoSmallStepLowersTheCostOfPointsAndTies) {
   Random random(2);
   BundleProblem& problem = world.problem;
   for (const auto& [from, to] : {std::pair<uint32_t, uint32_t>{0, 4}, {9, 3}, {2, 8}, {8, 9}, {0, 1}}) {
-    const Rigid3 measured = SmallMotion(random, 0.01, 0.02) * world.true_poses[to] * world.true_poses[from].Inverse();
+    const Rigid3 measured = RandomPose(random, 0.01, 0.02) * world.true_poses[to] * world.true_poses[from].Inverse();
     problem.ties.push_back({from, to, measured, Stiffness(random)});
   }
   BundleOptions options;

@@ -26,7 +26,7 @@ class MapBundleTest : public testing::Test {
     for (int k = 0; k < kKeyframes; ++k) {
       const Rigid3 pose(RotationFromVector({0, 0.05 * k, 0}), Eigen::Vector3d(-0.3 * k, 0, 0));
       const auto view = world_.Look(pose, FrameId(static_cast<uint32_t>(k)), Timestamp{k});
-      const Rigid3 off = k == 0 ? pose : SmallMotion(random, 0.01, 0.02) * pose;
+      const Rigid3 off = k == 0 ? pose : RandomPose(random, 0.01, 0.02) * pose;
       const KeyframeId parent = k == 0 ? KeyframeId() : keyframes_.back();
       keyframes_.push_back(map_.AddKeyframe(view.frame, off, parent));
       truth_.push_back(pose);

@@ -24,8 +24,8 @@ TEST(RelativePose, HasTheNumericDerivatives) {
   const double h = 1e-6;
   for (const double size : {1e-9, 1e-4, 2e-3, 0.1, 1.0, 1.7}) {
     for (int trial = 0; trial < 20; ++trial) {
-      const Rigid3 from = SmallMotion(random, 3, 5), to = SmallMotion(random, 3, 5);
-      const Rigid3 measured = to * from.Inverse() * SmallMotion(random, size, size);
+      const Rigid3 from = RandomPose(random, 3, 5), to = RandomPose(random, 3, 5);
+      const Rigid3 measured = to * from.Inverse() * RandomPose(random, size, size);
       const RelativePoseJacobians j = LinearizeRelativePose(from, to, measured);
       EXPECT_EQ(j.error, RelativePoseError(from, to, measured));
       for (int k = 0; k < 6; ++k) {
@@ -43,7 +43,7 @@ TEST(RelativePose, HasTheNumericDerivatives) {
 
 TEST(RelativePose, HasNoErrorWhereThePosesAreAsMeasured) {
   Random random(2);
-  const Rigid3 from = SmallMotion(random, 3, 5), motion = SmallMotion(random, 3, 5);
+  const Rigid3 from = RandomPose(random, 3, 5), motion = RandomPose(random, 3, 5);
   EXPECT_LT(RelativePoseError(from, motion * from, motion).norm(), 1e-12);
 }
 

@@ -12,13 +12,6 @@
 namespace yorb {
 namespace {
 
-const double kNan = std::numeric_limits<double>::quiet_NaN();
-
-double Distance(const Rigid3& a, const Rigid3& b) {
-  const Rigid3 difference = a * b.Inverse();
-  return difference.translation.norm() + difference.RotationAngle();
-}
-
 PoseEstimate Optimize(const PoseProblem& problem) {
   return OptimizePose(problem.guess, problem.observations, problem.projection);
 }
@@ -35,7 +28,7 @@ TEST(OptimizePose, RecoversTruthFromNoiseFreeObservations) {
     for (uint64_t seed = 0; seed < 20; ++seed) {
       const PoseProblem problem = MakePoseProblem({0, 0, without_depth}, 50, seed);
       const PoseEstimate estimate = Optimize(problem);
-      EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 1e-8);
+      EXPECT_LT(PoseDistance(estimate.cam_from_world, problem.truth), 1e-8);
       EXPECT_LT(estimate.cost, 1e-12);
       EXPECT_EQ(estimate.num_inliers, 50u);
     }
@@ -46,7 +39,7 @@ TEST(OptimizePose, RecoversTruthAmongAThirdOfOutliers) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const PoseProblem problem = MakePoseProblem({0, 0.33, 0.3}, 200, seed);
     const PoseEstimate estimate = Optimize(problem);
-    EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 1e-8);
+    EXPECT_LT(PoseDistance(estimate.cam_from_world, problem.truth), 1e-8);
     EXPECT_LT(estimate.num_inliers, 160u);
     EXPECT_GT(estimate.num_inliers, 110u);
   }
@@ -61,7 +54,7 @@ TEST(OptimizePose, ReachesTheCostOfCeresOnItsInliers) {
     const CeresPoseResult oracle =
         CeresOptimizePose(problem.guess, problem.observations, estimate.is_inlier, problem.projection, 1e-14);
     EXPECT_NEAR(estimate.cost, oracle.cost, 1e-6 * oracle.cost);
-    EXPECT_LT(Distance(estimate.cam_from_world, oracle.cam_from_world), 1e-5);
+    EXPECT_LT(PoseDistance(estimate.cam_from_world, oracle.cam_from_world), 1e-5);
   }
 }
 
@@ -106,14 +99,14 @@ TEST(OptimizePose, ThreePlanesTellThePoseThatFewPointsLeaveOpen) {
   for (PoseObservation& o : problem.observations) o.weight = 1e-9;  // counted, but silent
   const auto planes = MakePlanes(problem.truth, 3);
   const PoseEstimate estimate = OptimizePose(problem.guess, problem.observations, problem.projection, planes);
-  EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 1e-6);
+  EXPECT_LT(PoseDistance(estimate.cam_from_world, problem.truth), 1e-6);
 }
 
 TEST(OptimizePose, PlanesThatAgreeChangeNothing) {
   const PoseProblem problem = MakePoseProblem({0, 0, 0.5}, 50);
   const PoseEstimate estimate =
       OptimizePose(problem.guess, problem.observations, problem.projection, MakePlanes(problem.truth, 2));
-  EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 1e-8);
+  EXPECT_LT(PoseDistance(estimate.cam_from_world, problem.truth), 1e-8);
   EXPECT_LT((estimate.information - Optimize(problem).information).norm(), 1e-6 * estimate.information.norm());
 }
 
@@ -123,7 +116,7 @@ TEST(OptimizePose, WrongPlanesAreOutvotedByHuber) {
   for (PlaneObservation& plane : planes) plane.weight = 1;
   for (size_t i = 0; i < planes.size(); i += 5) planes[i].offset += 1;
   const PoseEstimate estimate = OptimizePose(problem.guess, problem.observations, problem.projection, planes);
-  EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 0.005);
+  EXPECT_LT(PoseDistance(estimate.cam_from_world, problem.truth), 0.005);
 }
 
 TEST(OptimizePose, SaysHowUnsureThePlaceIs) {
@@ -141,7 +134,7 @@ TEST(OptimizePose, DoesNotDependOnTheOrder) {
   const PoseEstimate a = Optimize(problem);
   std::reverse(problem.observations.begin(), problem.observations.end());
   const PoseEstimate b = Optimize(problem);
-  EXPECT_LT(Distance(a.cam_from_world, b.cam_from_world), 1e-9);
+  EXPECT_LT(PoseDistance(a.cam_from_world, b.cam_from_world), 1e-9);
   EXPECT_TRUE(std::equal(a.is_inlier.begin(), a.is_inlier.end(), b.is_inlier.rbegin()));
 }
 
@@ -149,12 +142,12 @@ TEST(OptimizePose, FollowsTheWeights) {
   // Half the points have moved by 1.5 px: with little weight they pull little.
   PoseProblem problem = MakePoseProblem({0, 0, 0}, 200);
   for (size_t k = 0; k < 100; ++k) problem.observations[k].seen.x_px += 1.5;
-  const double even = Distance(Optimize(problem).cam_from_world, problem.truth);
+  const double even = PoseDistance(Optimize(problem).cam_from_world, problem.truth);
   for (size_t k = 0; k < 100; ++k) problem.observations[k].weight = 0.01;
-  const double weighted = Distance(Optimize(problem).cam_from_world, problem.truth);
+  const double weighted = PoseDistance(Optimize(problem).cam_from_world, problem.truth);
   for (size_t k = 0; k < 100; ++k) problem.observations[k].weight = 0;
   EXPECT_LT(weighted, 0.1 * even);
-  EXPECT_LT(Distance(Optimize(problem).cam_from_world, problem.truth), 1e-8);
+  EXPECT_LT(PoseDistance(Optimize(problem).cam_from_world, problem.truth), 1e-8);
 }
 
 TEST(OptimizePose, TakesPointsBehindTheCameraAndBrokenOnesAsOutliers) {
@@ -169,7 +162,7 @@ TEST(OptimizePose, TakesPointsBehindTheCameraAndBrokenOnesAsOutliers) {
   o[6].weight = kNan;
   o[7].seen.right_px = std::numeric_limits<double>::infinity();
   const PoseEstimate estimate = Optimize(problem);
-  EXPECT_LT(Distance(estimate.cam_from_world, problem.truth), 1e-8);
+  EXPECT_LT(PoseDistance(estimate.cam_from_world, problem.truth), 1e-8);
   EXPECT_EQ(estimate.num_inliers, 52u);
   for (size_t k = 0; k < 8; ++k) EXPECT_FALSE(estimate.is_inlier[k]) << k;
   EXPECT_TRUE(estimate.information.allFinite());

@@ -41,7 +41,7 @@ inline CircleGraph MakeCircle(const CircleOptions& options) {
   }
   const Rigid3 drift = Rigid3::FromStep(Eigen::Matrix<double, 6, 1>::Constant(options.drift));
   const auto measured = [&](uint32_t from, uint32_t to) {
-    return SmallMotion(random, options.noise, options.noise) * drift * circle.truth[to] * circle.truth[from].Inverse();
+    return RandomPose(random, options.noise, options.noise) * drift * circle.truth[to] * circle.truth[from].Inverse();
   };
   const Rigid3 start_drift = Rigid3::FromStep(Eigen::Matrix<double, 6, 1>::Constant(options.start_drift));
   graph.poses.push_back(circle.truth.front());

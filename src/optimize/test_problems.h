@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/random.h"
+#include "geometry/test_poses.h"
 #include "optimize/bundle.h"
 #include "optimize/pose.h"
 #include "optimize/residuals.h"
@@ -13,20 +15,12 @@
 // Problems with known truth for the tests and benchmarks of this room.
 namespace yorb {
 
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
 inline Projection KinectProjection() {
   Projection p;
   p.fx = 525, p.fy = 520, p.cx = 320, p.cy = 240, p.baseline_px = 40;
   return p;
-}
-
-/// Uniform in a cube of the given half side.
-inline Eigen::Vector3d InCube(Random& random, double half_side) {
-  return {random.Uniform(-half_side, half_side), random.Uniform(-half_side, half_side),
-          random.Uniform(-half_side, half_side)};
-}
-
-inline Rigid3 SmallMotion(Random& random, double radians, double metres) {
-  return {RotationFromVector(InCube(random, radians)), InCube(random, metres)};
 }
 
 /// Where a point is seen, with uniform noise of the given half width; a fraction is far off; a fraction has no depth.
@@ -55,7 +49,7 @@ inline PoseProblem MakePoseProblem(const Noise& noise, int count = 300, uint64_t
   Random random(seed);
   PoseProblem problem;
   problem.truth = {RotationFromVector(InCube(random, 1)), InCube(random, 1)};
-  problem.guess = SmallMotion(random, 0.03, 0.05) * problem.truth;
+  problem.guess = RandomPose(random, 0.03, 0.05) * problem.truth;
   for (int k = 0; k < count; ++k) {
     const double z = random.Uniform(0.8, 5);
     const Eigen::Vector3d x_in_cam(random.Uniform(-0.6, 0.6) * z, random.Uniform(-0.45, 0.45) * z, z);
@@ -105,7 +99,7 @@ inline WorldProblem MakeWorld(const WorldOptions& options) {
     }
   }
   for (uint32_t k = 0; k < options.poses; ++k) {
-    const Rigid3 error = SmallMotion(random, options.pose_error, options.pose_error);
+    const Rigid3 error = RandomPose(random, options.pose_error, options.pose_error);
     problem.poses.push_back(problem.is_fixed[k] ? world.true_poses[k] : error * world.true_poses[k]);
   }
   for (const Eigen::Vector3d& x : world.true_points) problem.points.push_back(x + InCube(random, options.point_error));

@@ -30,9 +30,9 @@ inline WorldProblem MakeTour(const TourOptions& options) {
   for (uint32_t k = 0; k < options.poses; ++k) {
     const Rigid3 standing(RotationFromVector({0, turn * k, 0}),
                           {radius * std::sin(turn * k), 0, radius * std::cos(turn * k)});
-    world.true_poses.push_back(SmallMotion(random, 0.1, 0.1) * standing.Inverse());
+    world.true_poses.push_back(RandomPose(random, 0.1, 0.1) * standing.Inverse());
     problem.is_fixed.push_back(k == 0);
-    const Rigid3 error = SmallMotion(random, options.pose_error, options.pose_error);
+    const Rigid3 error = RandomPose(random, options.pose_error, options.pose_error);
     problem.poses.push_back(k == 0 ? world.true_poses[k] : error * world.true_poses[k]);
   }
   for (uint32_t point = 0; point < options.points; ++point) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <string_view>
 
 #include "pictures/endings.h"
 
@@ -13,13 +14,49 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// The digits from `at` on, without the zeros before them; `at` goes on behind them.
+std::string_view NumberAt(const std::string& name, size_t& at) {
+  while (at < name.size() && name[at] == '0') ++at;
+  const size_t begin = at;
+  while (at < name.size() && IsDigit(name[at])) ++at;
+  return std::string_view(name).substr(begin, at - begin);
+}
+
+/// Whether digits at `at` are decimals, as those of time stamps.
+bool IsBehindPoint(const std::string& name, size_t at) {
+  return at >= 2 && name[at - 1] == '.' && IsDigit(name[at - 2]);
+}
+
+/// Numbers in names count by their value: 2.png comes before 10.png, 0.25.png before 0.3.png. Names that differ in
+/// zeros alone keep the order of their letters.
+bool ComesBefore(const std::string& a, const std::string& b) {
+  size_t i = 0, k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (IsDigit(a[i]) && IsDigit(b[k]) && !IsBehindPoint(a, i)) {
+      const std::string_view left = NumberAt(a, i), right = NumberAt(b, k);
+      if (left.size() != right.size()) return left.size() < right.size();
+      if (left != right) return left < right;
+    } else if (a[i] != b[k]) {
+      return a[i] < b[k];
+    } else {
+      ++i, ++k;
+    }
+  }
+  if ((i == a.size()) != (k == b.size())) return i == a.size();
+  return a < b;
+}
+
 std::vector<fs::path> EntriesOf(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> entries;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     if (entry->path().filename().string().front() != '.') entries.push_back(entry->path());
   }
-  std::sort(entries.begin(), entries.end());
+  std::sort(entries.begin(), entries.end(), [](const fs::path& a, const fs::path& b) {
+    return ComesBefore(a.filename().string(), b.filename().string());
+  });
   return entries;
 }
 

@@ -7,8 +7,9 @@
 
 namespace yorb {
 
-/// All pictures in a folder and the folders below it, by the endings of their names, in the order of their paths.
-/// Linked folders are followed, each place once; hidden files and folders are passed over.
+/// All pictures in a folder and the folders below it, by the endings of their names, in the order of their names,
+/// in which numbers count by their value: 2.png comes before 10.png. Linked folders are followed, each place once;
+/// hidden files and folders are passed over.
 std::vector<std::string> PicturesUnder(const std::string& folder);
 
 /// The same of the folder itself, without those below it.

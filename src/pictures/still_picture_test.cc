@@ -102,6 +102,26 @@ TEST(PictureFolder, FollowsLinksOnceAndPassesOverHiddenOnes) {
   EXPECT_EQ(PicturesUnder(folder.Path("set")), wanted);
 }
 
+TEST(PictureFolder, NumbersInNamesCountByTheirValue) {
+  const TestFolder folder;
+  const std::vector<std::string> wanted{"0.25.png",
+                                        "0.3.png",
+                                        "01.png",
+                                        "1.png",
+                                        "2.png",
+                                        "10.png",
+                                        "10b.png",
+                                        "a2b2.png",
+                                        "a2b10.png",
+                                        "a010b1.png",
+                                        "a99999999999999999999.png"};
+  for (const std::string& name : wanted) folder.WritePicture(name, TestColour(0));
+  std::vector<std::string> names;
+  for (const std::string& path : PicturesIn(folder.Path("")))
+    names.push_back(std::filesystem::path(path).filename().string());
+  EXPECT_EQ(names, wanted);
+}
+
 TEST(Video, IsReadPictureByPicture) {
   const TestFolder folder;
   {

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/random.h"
 
 namespace yorb {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kTurnSeconds = 4.5;  // a way there and back along one axis
 
 // Camera axes in the world: z along `forward`, x to the right, y down.
@@ -29,8 +29,8 @@ struct Turn {
 };
 Turn AxisInTurn(double seconds) {
   const double turn = std::floor(seconds / kTurnSeconds), t = seconds / kTurnSeconds - turn;
-  const double window = std::sin(kPi * t);
-  return {static_cast<int>(turn - 3 * std::floor(turn / 3)), std::sin(2 * kPi * t) * window * window};
+  const double window = std::sin(std::numbers::pi * t);
+  return {static_cast<int>(turn - 3 * std::floor(turn / 3)), std::sin(2 * std::numbers::pi * t) * window * window};
 }
 
 // 0 to 1 with a soft start and stop.
@@ -64,7 +64,8 @@ CameraPath::CameraPath(PathKind kind, const Stage& stage, double duration_s, uin
     const double size = axis < 3 ? 0.0025 : 0.0035;  // of the slow sway; the quick tremor is far smaller
     for (size_t i = 0; i < kNumWaves; ++i) {
       const double hertz = 0.25 * std::pow(2.1, static_cast<double>(i)) * random.Uniform(0.8, 1.25);
-      sway_[axis][i] = {size * 0.25 / hertz * random.Uniform(0.7, 1.3), 2 * kPi * hertz, random.Uniform(0, 2 * kPi)};
+      sway_[axis][i] = {size * 0.25 / hertz * random.Uniform(0.7, 1.3), 2 * std::numbers::pi * hertz,
+                        random.Uniform(0, 2 * std::numbers::pi)};
     }
   }
 }
@@ -99,8 +100,8 @@ Rigid3 CameraPath::Intended(double seconds) const {
                            Eigen::Vector3d::Zero());
     }
     case PathKind::kHalfsphere: {
-      const double azimuth = kPi + 0.6 * std::sin(2 * kPi * seconds / 15.0),
-                   elevation = 0.3 + 0.24 * std::sin(2 * kPi * seconds / 8.7 + 4.2);
+      const double azimuth = std::numbers::pi + 0.6 * std::sin(2 * std::numbers::pi * seconds / 15.0),
+                   elevation = 0.3 + 0.24 * std::sin(2 * std::numbers::pi * seconds / 8.7 + 4.2);
       const Eigen::Vector3d out(std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
                                 std::sin(elevation));
       return Looking(stage_.focus + (stage_.stand - stage_.focus).norm() * out, -out);
@@ -117,7 +118,7 @@ Rigid3 CameraPath::Loop(double seconds) const {
   constexpr double kMoving = 0.96;       // share of the time; the rest is spent at the start again
   constexpr double kAhead = 0.3;         // radians from straight outwards towards the way
   constexpr double kStepsOfARound = 14;  // a walker's head goes up and down
-  const double angle = 2 * kPi * Ease(seconds / (kMoving * duration_s_));
+  const double angle = 2 * std::numbers::pi * Ease(seconds / (kMoving * duration_s_));
   const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0);
   const Eigen::Vector3d place(stage_.loop_radii.x() * out.x(), stage_.loop_radii.y() * out.y(),
                               0.015 * std::sin(kStepsOfARound * angle));

@@ -9,8 +9,6 @@ namespace {
 
 constexpr float kBoard = 0.022f;  // metres: what furniture is made of
 
-float Between(RoomBuilder& room, float low, float high) { return static_cast<float>(room.random.Uniform(low, high)); }
-
 Look Cloth(RoomBuilder& room, const std::string& name) {
   Look look;
   const Paint colour =
@@ -28,7 +26,7 @@ void AddOrnament(RoomBuilder& room, const Place& place, float max_height) {
       AddMug(room, place);
       break;
     case 1:
-      AddPackage(room, place, {Between(room, 0.12f, 0.2f), 0.14f, Between(room, 0.1f, 0.9f) * max_height});
+      AddPackage(room, place, {room.Between(0.12f, 0.2f), 0.14f, room.Between(0.1f, 0.9f) * max_height});
       break;
     case 2:
       AddBookPile(room, place, 2 + static_cast<int>(room.random.Below(4)));
@@ -64,7 +62,7 @@ void AddBookcase(RoomBuilder& room, const Place& place, const Eigen::Vector3f& s
     const float height = 0.06f + step * static_cast<float>(i);
     room.AddBox(place * At(0, 0, height), {inner, size.y() - 0.02f, kBoard}, board);
     if (i == num_shelves) break;
-    const float free = step - kBoard - 0.03f, books = inner * Between(room, 0.35f, 0.95f);
+    const float free = step - kBoard - 0.03f, books = inner * room.Between(0.35f, 0.95f);
     const float start = room.random.Below(2) == 0 ? -inner / 2 : inner / 2 - books;
     AddBooks(room, place * At(start, -size.y() * 0.12f, height + kBoard), books, free);
     for (float rest = inner - books, at = 0; rest - at > 0.24f; at += 0.26f) {
@@ -94,7 +92,7 @@ void AddSofa(RoomBuilder& room, const Place& place, float width) {
     const float x = (static_cast<float>(i) - 1) * (width - 0.4f) / 3;
     room.AddBox(place * At(x, -0.08f, 0.36f), {(width - 0.42f) / 3, 0.6f, 0.12f}, cover);
     const Look cushion = room.Fitted(Cloth(room, "cushion " + std::to_string(i)).texture);
-    room.AddBox(place * At(x + Between(room, -0.05f, 0.05f), 0.12f, 0.48f, Between(room, -0.2f, 0.2f)),
+    room.AddBox(place * At(x + room.Between(-0.05f, 0.05f), 0.12f, 0.48f, room.Between(-0.2f, 0.2f)),
                 {0.38f, 0.13f, 0.34f}, cushion);
   }
 }
@@ -125,8 +123,8 @@ void AddPlant(RoomBuilder& room, const Place& place, float height) {
   const float pot = height * 0.22f;
   room.AddTurned(place, {{0, pot * 0.45f, pot * 0.45f}, {pot, pot * 0.62f, pot * 0.62f}, {pot * 1.02f, 0, 0}}, clay);
   for (int i = 0; i < 26; ++i) {
-    const float turn = static_cast<float>(i) * 2.4f + Between(room, -0.3f, 0.3f), tilt = Between(room, 0.1f, 1.0f),
-                length = height * Between(room, 0.35f, 0.7f);
+    const float turn = static_cast<float>(i) * 2.4f + room.Between(-0.3f, 0.3f), tilt = room.Between(0.1f, 1.0f),
+                length = height * room.Between(0.35f, 0.7f);
     const Place stem =
         place * At(0, 0, pot) *
         Place(Eigen::AngleAxisf(turn, Eigen::Vector3f::UnitZ()) * Eigen::AngleAxisf(tilt, Eigen::Vector3f::UnitX()));
@@ -134,7 +132,7 @@ void AddPlant(RoomBuilder& room, const Place& place, float height) {
     patch.is_triangle = patch.is_two_sided = true;
     patch.corner = stem * Eigen::Vector3f(-length * 0.12f, 0, length * 0.45f);  // a long triangle, tip upwards
     patch.edge_t = stem.linear() * Eigen::Vector3f(length * 0.12f, 0, length * 0.55f);
-    patch.light = 0.75f * Between(room, 0.7f, 1.1f);
+    patch.light = 0.75f * room.Between(0.7f, 1.1f);
     room.scene.patches.push_back(patch);
     patch.edge_t = stem.linear() * Eigen::Vector3f(length * 0.12f, 0, -length * 0.45f);
     room.scene.patches.push_back(patch);

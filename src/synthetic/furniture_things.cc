@@ -9,8 +9,6 @@ namespace {
 
 constexpr int kSpineColumns = 16, kSpineRows = 2;  // of the atlas of book spines
 
-float Between(RoomBuilder& room, float low, float high) { return static_cast<float>(room.random.Uniform(low, high)); }
-
 // A book's spine, and its cover in a colour taken from the spine's edge.
 std::pair<Look, Look> BookLooks(RoomBuilder& room) {
   const std::string atlas = "spines " + std::to_string(room.random.Below(2));
@@ -30,10 +28,10 @@ std::pair<Look, Look> BookLooks(RoomBuilder& room) {
 void AddBooks(RoomBuilder& room, const Place& place, float width, float max_height) {
   const Look pages = room.Plain("pages", Paint(205, 222, 230));
   for (float x = 0; x < width - 0.05f;) {
-    const float thickness = Between(room, 0.016f, 0.048f), depth = Between(room, 0.13f, 0.2f);
-    const float height = std::min(max_height, Between(room, 0.17f, 0.29f));
+    const float thickness = room.Between(0.016f, 0.048f), depth = room.Between(0.13f, 0.2f);
+    const float height = std::min(max_height, room.Between(0.17f, 0.29f));
     const auto [spine, cover] = BookLooks(room);
-    room.AddBox(place * At(x + thickness / 2, depth / 2 - 0.09f + Between(room, -0.012f, 0.012f), 0),
+    room.AddBox(place * At(x + thickness / 2, depth / 2 - 0.09f + room.Between(-0.012f, 0.012f), 0),
                 {thickness, depth, height}, cover, {{Face::kFront, spine}, {Face::kTop, pages}});
     x += thickness + (room.random.Below(12) == 0 ? 0.04f : 0.0015f);
   }
@@ -43,14 +41,14 @@ void AddBookPile(RoomBuilder& room, const Place& place, int num_books) {
   const Look pages = room.Plain("pages", Paint(205, 222, 230));
   float z = 0;
   for (int i = 0; i < num_books; ++i) {
-    const float thickness = Between(room, 0.015f, 0.045f);
+    const float thickness = room.Between(0.015f, 0.045f);
     const auto [spine, cover] = BookLooks(room);
     Look lying = spine;
     lying.is_turned = true;
     const int picture = PictureTexture(room, static_cast<int>(room.random.Below(8)));
     room.AddBox(
-        place * At(Between(room, -0.01f, 0.01f), Between(room, -0.01f, 0.01f), z, Between(room, -0.25f, 0.25f)),
-        {Between(room, 0.15f, 0.2f), Between(room, 0.19f, 0.24f), thickness}, pages,
+        place * At(room.Between(-0.01f, 0.01f), room.Between(-0.01f, 0.01f), z, room.Between(-0.25f, 0.25f)),
+        {room.Between(0.15f, 0.2f), room.Between(0.19f, 0.24f), thickness}, pages,
         {{Face::kTop, room.Fitted(picture)}, {Face::kFront, cover}, {Face::kLeft, cover}, {Face::kRight, lying}});
     z += thickness;
   }
@@ -99,7 +97,7 @@ void AddGlobe(RoomBuilder& room, const Place& place) {
 void AddPackage(RoomBuilder& room, const Place& place, const Eigen::Vector3f& size) {
   const std::string name = "package " + std::to_string(room.random.Below(5));
   const int print = room.TextureOf(name, {0.5f, 0.5f}, [](cv::Size s, Random& r) { return PaintPackage(s, r); });
-  room.AddBox(place * At(0, 0, 0, Between(room, -0.2f, 0.2f)), size, room.Fitted(print));
+  room.AddBox(place * At(0, 0, 0, room.Between(-0.2f, 0.2f)), size, room.Fitted(print));
 }
 
 void AddDeskLamp(RoomBuilder& room, const Place& place) {

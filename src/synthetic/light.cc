@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -14,7 +15,6 @@ namespace {
 constexpr float kLargeSide = 0.2f;    // metres: a patch with both sides longer gets a map
 constexpr float kSkin = 0.012f;       // rays start this far off the surface
 constexpr float kCornerReach = 0.9f;  // metres: farther things do not darken
-constexpr float kPi = 3.14159265f;
 
 bool Hits(const Eigen::AlignedBox3f& box, const Eigen::Array3f& from, const Eigen::Array3f& one_over_step,
           float reach) {
@@ -54,7 +54,7 @@ float CornerOpenness(const Scene& scene, const Eigen::Vector3f& x, const Eigen::
   for (int i = 0; i < num_rays; ++i) {
     // Evenly over the half sphere by cosine: a sunflower.
     const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(num_rays));
-    const float angle = 2 * kPi * (static_cast<float>(i) * 0.618034f + turn);
+    const float angle = 2 * std::numbers::pi_v<float> * (static_cast<float>(i) * 0.618034f + turn);
     const Eigen::Vector3f step =
         radius * std::cos(angle) * side + radius * std::sin(angle) * other + std::sqrt(1 - radius * radius) * normal;
     num_free += IsBlocked(scene, x, step, kCornerReach) ? 0 : 1;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/random.h"
 #include "synthetic/light.h"
@@ -167,16 +168,16 @@ Mannequin::Mannequin(const PersonPlan& plan, const Route& route, int person, uin
 }
 
 void Mannequin::AddTo(MovingThings& moving, const Scene& scene, double seconds) const {
-  constexpr double kPi = 3.141592653589793;
   const double way = plan_.start + plan_.speed * seconds;
   const Route::Point at = route_.At(way);
   const auto scale = static_cast<float>(plan_.height / kModelHeight);
-  const double phase = phase_ + 2 * kPi * std::abs(way) / (kStride * scale);
+  const double phase = phase_ + 2 * std::numbers::pi * std::abs(way) / (kStride * scale);
   const Pose pose = plan_.speed != 0 ? WalkingPose(phase) : StandingPose(seconds, phase_);
-  const double ahead = at.heading + (plan_.speed < 0 ? kPi : 0);
+  const double ahead = at.heading + (plan_.speed < 0 ? std::numbers::pi : 0);
 
   const auto x = static_cast<float>(at.position.x()), y = static_cast<float>(at.position.y());
-  const Place foot = Moved(x / scale, y / scale, 0) * Turned(static_cast<float>(ahead + kPi / 2));  // -y looks ahead
+  const Place foot =
+      Moved(x / scale, y / scale, 0) * Turned(static_cast<float>(ahead + std::numbers::pi / 2));  // -y looks ahead
   const Place hips = foot * Moved(0, 0, pose.hips_height);
   const Place chest = hips * Turned(pose.turn) * Forwards(-0.04f);
   Body body(scene, clothes_, person_, scale);

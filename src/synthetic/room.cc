@@ -3,6 +3,7 @@
 #include "synthetic/room.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "synthetic/furniture.h"
 #include "synthetic/light.h"
@@ -11,15 +12,18 @@ namespace yorb {
 namespace {
 
 constexpr float kHalfX = 4.f, kHalfY = 3.f, kHeight = 2.7f;
-constexpr float kPi = 3.14159265f;
 
 // Places on the walls, `along` metres to the right of the wall's middle as seen from inside, `off` from the wall.
-Place OnEastWall(float along, float off, float z = 0) { return At(kHalfX - off, -along, z, -kPi / 2); }
-Place OnWestWall(float along, float off, float z = 0) { return At(-kHalfX + off, along, z, kPi / 2); }
+Place OnEastWall(float along, float off, float z = 0) {
+  return At(kHalfX - off, -along, z, -std::numbers::pi_v<float> / 2);
+}
+Place OnWestWall(float along, float off, float z = 0) {
+  return At(-kHalfX + off, along, z, std::numbers::pi_v<float> / 2);
+}
 Place OnNorthWall(float along, float off, float z = 0) { return At(along, kHalfY - off, z, 0); }
-Place OnSouthWall(float along, float off, float z = 0) { return At(-along, -kHalfY + off, z, kPi); }
-
-float Between(RoomBuilder& room, float low, float high) { return static_cast<float>(room.random.Uniform(low, high)); }
+Place OnSouthWall(float along, float off, float z = 0) {
+  return At(-along, -kHalfY + off, z, std::numbers::pi_v<float>);
+}
 
 // A wall, floor or ceiling: the face of the room's own box, seen from inside, with the texture at its own scale.
 void AddShell(RoomBuilder& room, const Place& middle_of_foot, float width, float height, int texture, float tile) {
@@ -84,21 +88,21 @@ void AddLamps(RoomBuilder& room) {
 // The desk that the camera looks at: its front looks west, seen from inside the room.
 void AddDesk(RoomBuilder& room) {
   const Eigen::Vector3f size(1.9f, 0.85f, 0.74f);
-  const Place desk = At(2.25f, 0, 0, -kPi / 2);
+  const Place desk = At(2.25f, 0, 0, -std::numbers::pi_v<float> / 2);
   AddTable(room, desk, size, "oak");
   const Place top = desk * At(0, 0, size.z());
   AddMonitor(room, top * At(-0.33f, 0.2f, 0, 0.12f), 0);
   AddMonitor(room, top * At(0.3f, 0.2f, 0, -0.15f), 1);
-  AddKeyboard(room, top * At(-0.25f, -0.17f, 0, Between(room, -0.1f, 0.1f)));
+  AddKeyboard(room, top * At(-0.25f, -0.17f, 0, room.Between(-0.1f, 0.1f)));
   room.AddBox(top * At(0.08f, -0.17f, 0, 0.2f), {0.06f, 0.1f, 0.03f}, room.Plain("steel", Paint(150, 150, 148)));
-  AddPaper(room, top * At(0.28f, -0.22f, 0, Between(room, -0.5f, 0.5f)));
-  AddPaper(room, top * At(0.46f, -0.18f, 0.004f, Between(room, -0.5f, 0.5f)));
-  AddMug(room, top * At(Between(room, 0.55f, 0.65f), -0.05f, 0, Between(room, -2, 2)));
+  AddPaper(room, top * At(0.28f, -0.22f, 0, room.Between(-0.5f, 0.5f)));
+  AddPaper(room, top * At(0.46f, -0.18f, 0.004f, room.Between(-0.5f, 0.5f)));
+  AddMug(room, top * At(room.Between(0.55f, 0.65f), -0.05f, 0, room.Between(-2, 2)));
   AddBookPile(room, top * At(0.78f, -0.1f, 0), 5);
   AddGlobe(room, top * At(0.76f, 0.22f, 0));
   AddDeskLamp(room, top * At(-0.8f, 0.1f, 0, -0.5f));
   AddBookPile(room, top * At(-0.76f, -0.2f, 0), 3);
-  AddMug(room, top * At(-0.58f, 0.02f, 0, Between(room, -2, 2)));
+  AddMug(room, top * At(-0.58f, 0.02f, 0, room.Between(-2, 2)));
   AddPackage(room, top * At(-0.02f, 0.3f, 0), {0.09f, 0.07f, 0.21f});
   AddChair(room, desk * At(-1.35f, -0.1f, 0, 1.9f));
 }
@@ -168,7 +172,9 @@ Stage MakeStage() {
   stage.routes.emplace_back(
       std::vector<Eigen::Vector2d>{{1.42, -0.9}, {1.42, 0.9}, {2.3, 1.55}, {3.15, 0.9}, {3.15, -0.9}, {2.3, -1.7}});
   std::vector<Eigen::Vector2d> ring;
-  for (int i = 0; i < 8; ++i) ring.emplace_back(-1 + 2.0 * std::cos(i * kPi / 4), 1.85 * std::sin(i * kPi / 4));
+  for (int i = 0; i < 8; ++i)
+    ring.emplace_back(-1 + 2.0 * std::cos(i * std::numbers::pi_v<float> / 4),
+                      1.85 * std::sin(i * std::numbers::pi_v<float> / 4));
   stage.routes.emplace_back(ring);
   return stage;
 }

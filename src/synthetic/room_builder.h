@@ -51,6 +51,8 @@ class RoomBuilder {
   /// A turned thing (cup, pot, ball) lit as if in the open, a little darker for what stands around.
   void AddTurned(const Place& place, const std::vector<Slice>& slices, int texture, int num_sectors = 16);
 
+  float Between(float low, float high) { return static_cast<float>(random.Uniform(low, high)); }
+
   Scene scene;
   Random random;
 

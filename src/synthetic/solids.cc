@@ -3,13 +3,12 @@
 #include "synthetic/solids.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "core/check.h"
 
 namespace yorb {
 namespace {
-
-constexpr float kPi = 3.14159265f;
 
 struct Vertex {
   Eigen::Vector3f x_in_world, normal;
@@ -93,7 +92,7 @@ void AppendTurned(const Eigen::Isometry3f& world_from_shape, const std::vector<S
     const Slice &below = slices[i > 0 ? i - 1 : i], &above = slices[i + 1 < slices.size() ? i + 1 : i];
     for (int j = 0; j < num_columns; ++j) {
       const float round = static_cast<float>(j) / static_cast<float>(look.num_sectors),
-                  angle = 2 * kPi * round + kPi / 2;
+                  angle = 2 * std::numbers::pi_v<float> * round + std::numbers::pi_v<float> / 2;
       const float c = std::cos(angle), s = std::sin(angle);
       const Eigen::Vector3f along(c * (above.half_x - below.half_x), s * (above.half_y - below.half_y),
                                   above.height - below.height);
@@ -119,7 +118,7 @@ void AppendTurned(const Eigen::Isometry3f& world_from_shape, const std::vector<S
 std::vector<Slice> EllipsoidSlices(float height, float half_x, float half_y, int num_slices) {
   std::vector<Slice> slices;
   for (int i = 0; i < num_slices; ++i) {
-    const float angle = kPi * static_cast<float>(i) / static_cast<float>(num_slices - 1);
+    const float angle = std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(num_slices - 1);
     const float radius = i == 0 || i == num_slices - 1 ? 0.f : std::sin(angle);
     slices.push_back({height / 2 * (1 - std::cos(angle)), half_x * radius, half_y * radius});
   }

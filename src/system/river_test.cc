@@ -68,7 +68,7 @@ SyntheticWorldOptions Noisy() {
   return options;
 }
 
-double Error(const Rigid3& cam_from_world, int frame) {
+double ErrorM(const Rigid3& cam_from_world, int frame) {
   const Rigid3 truth = PoseAt(frame) * PoseAt(0).Inverse();  // the first frame defines the world
   return (cam_from_world.OriginInSource() - truth.OriginInSource()).norm();
 }
@@ -80,7 +80,7 @@ TEST(River, FollowsTheCameraToTheCentimetre) {
   for (int k = 0; k < 240; ++k) {
     const FrameRecord record = river.Push(world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
     ASSERT_EQ(record.state, TrackingState::kTracking) << k;
-    const double error = Error(river.PoseOf(record), k);
+    const double error = ErrorM(river.PoseOf(record), k);
     ASSERT_LT(error, 0.03) << k;
     sum += error * error;
     if (record.is_keyframe) {
@@ -112,7 +112,7 @@ TEST(River, SaysThatItIsLostAndFindsItselfAgain) {
   for (int k = 120; k < 125; ++k) {
     record = river.Push(world.Look(PoseAt(k - 80), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame);
     ASSERT_EQ(record.state, TrackingState::kTracking) << k;
-    EXPECT_LT(Error(river.PoseOf(record), k - 80), 0.03);
+    EXPECT_LT(ErrorM(river.PoseOf(record), k - 80), 0.03);
   }
 }
 
@@ -148,7 +148,7 @@ TEST(River, GivesARepeatedPictureThePoseOfTheFirst) {
   EXPECT_EQ(river.map().num_keyframes(), num_keyframes);
   record = river.Push(world.Look(PoseAt(21), FrameId(80), TimeOf(80)).frame);
   EXPECT_EQ(record.state, TrackingState::kTracking);
-  EXPECT_LT(Error(river.PoseOf(record), 21), 0.03);
+  EXPECT_LT(ErrorM(river.PoseOf(record), 21), 0.03);
 }
 
 TEST(River, KnowsARepeatedPictureByItsPixelsWhereOtherPointsAreLeftOutOfIt) {
@@ -237,7 +237,7 @@ TEST(River, WallsCarryOnForSomeFramesWithoutAPoint) {
       continue;
     }
     ASSERT_EQ(record.state, TrackingState::kTracking) << k;
-    EXPECT_LT(Error(river.PoseOf(record), k), 0.03) << k;
+    EXPECT_LT(ErrorM(river.PoseOf(record), k), 0.03) << k;
     if (is_dark) {
       EXPECT_EQ(record.num_inliers, 0);
       EXPECT_FALSE(record.is_keyframe);
@@ -262,7 +262,7 @@ TEST(River, MotionCarriesOnForOneFrameWherePeopleHideAll) {
       continue;
     }
     ASSERT_EQ(record.state, TrackingState::kTracking) << k;
-    EXPECT_LT(Error(river.PoseOf(record), k), 0.03) << k;
+    EXPECT_LT(ErrorM(river.PoseOf(record), k), 0.03) << k;
     if (!is_hidden) continue;
     EXPECT_EQ(record.num_inliers, 0);
     EXPECT_FALSE(record.is_keyframe);
@@ -308,7 +308,7 @@ TEST(River, OpticalFlowCarriesOnWhereDescriptorsSayNothing) {
         continue;
       }
       ASSERT_EQ(record.state, TrackingState::kTracking) << k;
-      EXPECT_LT(Error(river.PoseOf(record), k), 0.02) << k;
+      EXPECT_LT(ErrorM(river.PoseOf(record), k), 0.02) << k;
     }
   }
 }
