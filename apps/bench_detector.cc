@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/picture_size.h"
+#include "apps/sequence_arguments.h"
 #include "apps/signals.h"
 #include "core/files.h"
 #include "detection/yolo_detector.h"
@@ -19,11 +20,12 @@
 namespace yorb {
 namespace {
 
+constexpr long long kMostRounds = 1000000;
+
 struct DetectorArguments {
   std::vector<std::string> models, sequences;
-  std::optional<std::string> labelled, size, pictures, out;
+  std::optional<std::string> labelled, size, pictures, out, rounds;
   std::string set;
-  size_t rounds = 30;
   bool wants_json = false;
 };
 
@@ -47,17 +49,20 @@ Result<std::vector<FileToWrite>> FiguresOf(const DetectorArguments& arguments, c
 Status Bench(const DetectorArguments& arguments) {
   if (arguments.pictures && !arguments.out) return BadInput("--pictures needs --out, a folder for the figures");
   DetectorBenchOptions options;
+  if (arguments.rounds) {
+    const auto rounds = WholeNumber("--rounds", *arguments.rounds, 1, kMostRounds);
+    if (!rounds) return rounds.error();
+    options.rounds = static_cast<size_t>(*rounds);
+  }
   const auto models = ModelsOf(arguments);
   if (!models) return models.error();
   const auto size = ReadPictureSize(arguments.size);
   if (!size) return size.error();
-  if (arguments.rounds < 1) return BadInput("--rounds must be 1 or more");
   options.models = *models;
   options.size = *size;
   options.labelled = arguments.labelled;
   options.set = arguments.set;
   options.sequences = arguments.sequences;
-  options.rounds = arguments.rounds;
   options.should_stop = IsStopAsked;
   const auto report = MeasureDetectors(options);
   if (!report) return report.error();

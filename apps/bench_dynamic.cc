@@ -44,19 +44,15 @@ Status CheckArguments(const DynamicArguments& arguments) {
     if (std::find(DynamicWays().begin(), DynamicWays().end(), way) != DynamicWays().end()) continue;
     return BadInput("--way: " + way + " is none; did you mean " + NearestWord(way, DynamicWays()) + "?");
   }
-  if (arguments.sequences.dynamics) return BadInput("--dynamics is what this bench compares; choose with --way");
-  if (arguments.sequences.detections) {
-    return BadInput("--detections is not taken here: full-exact finds people.txt beside the pictures");
-  }
   if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
   return Status::Ok();
 }
 
 Result<int> RunsOf(const std::optional<std::string>& text) {
   if (!text) return 1;
-  const auto number = ParseInteger(*text);
-  if (number && *number >= 1 && *number <= kMostRuns) return static_cast<int>(*number);
-  return BadInput("--runs must be a whole number from 1 to " + std::to_string(kMostRuns) + ", not " + *text);
+  const auto number = WholeNumber("--runs", *text, 1, kMostRuns);
+  if (!number) return number.error();
+  return static_cast<int>(*number);
 }
 
 /// The path of what stands beside the pictures; empty where it is not there.
@@ -145,7 +141,9 @@ int Dynamic(const DynamicArguments& arguments) {
 void AddBenchDynamic(CLI::App& bench, Action& action) {
   CLI::App* dynamic = bench.add_subcommand("dynamic", "SLAM among people: what removing moving points is worth");
   const auto arguments = std::make_shared<DynamicArguments>();
-  arguments->sequences.AddTo(*dynamic);
+  arguments->sequences.AddTo(*dynamic,
+                             {{"--dynamics", "is what this bench compares; choose with --way"},
+                              {"--detections", "not taken here: full-exact finds people.txt beside the pictures"}});
   dynamic
       ->add_option("--way", arguments->ways,
                    "original (ORB-SLAM2's front end, nothing removed: the measure), off, paper, full, or full-exact "

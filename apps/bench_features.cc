@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/sequence_arguments.h"
 #include "apps/signals.h"
 #include "core/files.h"
 #include "experiments/features.h"
@@ -18,12 +19,13 @@
 namespace yorb {
 namespace {
 
+constexpr long long kMostPictures = 1000000;
+
 struct FeaturesArguments {
   std::vector<std::string> places;
   std::string camera, out;
-  std::optional<std::string> config;
+  std::optional<std::string> config, pictures;
   std::vector<std::string> settings;
-  size_t pictures = 100;
   bool wants_json = false;
 };
 
@@ -66,7 +68,11 @@ int BenchFeatures(const FeaturesArguments& arguments) {
   const auto features = FeatureOptionsOf(arguments);
   if (!features) return Complain(features.error());
   options.features = *features;
-  options.pictures = arguments.pictures;
+  if (arguments.pictures) {
+    const auto pictures = WholeNumber("--pictures", *arguments.pictures, 0, kMostPictures);
+    if (!pictures) return Complain(pictures.error());
+    options.pictures = static_cast<size_t>(*pictures);
+  }
   options.should_stop = IsStopAsked;
   std::vector<PictureSet> sets;
   for (const std::string& place : arguments.places) {
@@ -105,7 +111,7 @@ void AddBenchFeatures(CLI::App& bench, Action& action) {
   command->add_option("--set", arguments->settings, "One setting, such as features.fast_arc=12; may be given often")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
-  command->add_option("--pictures", arguments->pictures, "Of each place, evenly spread; 0: all")->capture_default_str();
+  command->add_option("--pictures", arguments->pictures, "Of each place, evenly spread; 0: all [100]");
   command->add_flag("--json", arguments->wants_json, "JSON on standard output");
   command->add_option("--out", arguments->out, "A folder for the figures (PNG, SVG) and the report");
   command->footer(

@@ -42,9 +42,9 @@ Result<std::vector<LightKind>> LightsOf(const std::vector<std::string>& names) {
 
 Result<int> SeedsOf(const std::optional<std::string>& text) {
   if (!text) return 1;
-  const auto number = ParseInteger(*text);
-  if (number && *number >= 1 && *number <= kMostSeeds) return static_cast<int>(*number);
-  return BadInput("--seeds must be a whole number from 1 to " + std::to_string(kMostSeeds) + ", not " + *text);
+  const auto number = WholeNumber("--seeds", *text, 1, kMostSeeds);
+  if (!number) return number.error();
+  return static_cast<int>(*number);
 }
 
 Status WriteResults(const std::string& folder, const LightReport& report) {
@@ -66,7 +66,6 @@ Result<LightReport> Measure(const LightArguments& arguments) {
   const auto seeds = SeedsOf(arguments.seeds);
   if (!seeds) return seeds.error();
   if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
-  if (arguments.sequence.dynamics) return BadInput("--dynamics: this bench compares features, and removes nothing");
   const auto sequence = OpenSequence(arguments.sequence);
   if (!sequence) return sequence.error();
   const auto truth = ReadTruthBeside(sequence->folder);
@@ -103,7 +102,12 @@ int Light(const LightArguments& arguments) {
 void AddBenchLight(CLI::App& bench, Action& action) {
   CLI::App* light = bench.add_subcommand("light", "SLAM in changing light: the original front end beside ours");
   const auto arguments = std::make_shared<LightArguments>();
-  arguments->sequence.AddTo(*light);
+  const char* const kNothingRemoved = "this bench compares features, and removes nothing";
+  arguments->sequence.AddTo(*light, {{"--mode", "all runs of this bench are inline"},
+                                     {"--dynamics", kNothingRemoved},
+                                     {"--detections", kNothingRemoved},
+                                     {"--masks", kNothingRemoved},
+                                     {"--model", kNothingRemoved}});
   light
       ->add_option("--light", arguments->lights,
                    "ramp, flicker, switch, shade or dim, beside steady; may be given often; left out: all")

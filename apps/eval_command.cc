@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/command.h"
@@ -17,6 +19,8 @@
 
 namespace yorb {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kPngZoom = 1.5;
 
@@ -88,6 +92,37 @@ Result<EvalOptions> ReadOptions(const EvalArguments& arguments, const ReadTrajec
   return options;
 }
 
+/// What is read, as it is called in a complaint, and where it stands.
+std::vector<std::pair<std::string, fs::path>> InputsOf(const EvalArguments& arguments) {
+  std::vector<std::pair<std::string, fs::path>> inputs = {{"--reference", arguments.reference}};
+  for (const std::string& estimate : arguments.estimates) inputs.emplace_back("--estimate", estimate);
+  if (arguments.sequence) {
+    for (const char* list : {"associations.txt", "rgb.txt"})
+      inputs.emplace_back("--sequence", fs::path(*arguments.sequence) / list);
+  }
+  return inputs;
+}
+
+/// What is written must not take the place of what is read.
+Status CheckInputsKept(const char* option, const std::optional<std::string>& path, const EvalArguments& arguments) {
+  std::error_code ignored;
+  if (!path || !fs::is_regular_file(*path, ignored)) return Status::Ok();
+  for (const auto& [name, input] : InputsOf(arguments)) {
+    if (fs::equivalent(*path, input, ignored))
+      return BadInput(std::string(option) + " " + *path + " would overwrite what " + name +
+                      " reads; name another file");
+  }
+  return Status::Ok();
+}
+
+Status CheckOutputs(const EvalArguments& arguments) {
+  if (arguments.plot && !EndsWith(*arguments.plot, ".svg") && !EndsWith(*arguments.plot, ".png")) {
+    return BadInput("--plot " + *arguments.plot + " must end in .svg or .png");
+  }
+  if (const Status fine = CheckInputsKept("--csv", arguments.csv, arguments); !fine) return fine;
+  return CheckInputsKept("--plot", arguments.plot, arguments);
+}
+
 Status WritePlot(const std::string& path, const std::string& svg) {
   if (EndsWith(path, ".svg")) return WriteFileWhole(path, svg);
   const auto png = PngFromSvg(svg, kPngZoom);
@@ -99,9 +134,7 @@ void Warn(const std::vector<std::string>& warnings) {
 }
 
 Status EvaluateAll(const EvalArguments& arguments) {
-  if (arguments.plot && !EndsWith(*arguments.plot, ".svg") && !EndsWith(*arguments.plot, ".png")) {
-    return BadInput("--plot " + *arguments.plot + " must end in .svg or .png");
-  }
+  if (const Status fine = CheckOutputs(arguments); !fine) return fine;
   const auto reference =
       ReadTrajectoryFile(arguments.reference, FormatOf(arguments.reference_format.value_or(arguments.format)));
   if (!reference) return reference.error();

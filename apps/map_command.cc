@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "apps/command.h"
 #include "apps/signals.h"
@@ -59,20 +60,31 @@ void AddExport(CLI::App& map, Action& action) {
   command->add_option("--dense", dense.sequence,
                       "The sequence that the map was made of: its depth pictures at the keyframes become a coloured "
                       "cloud, in place of the landmarks");
-  command->add_option("--cube", dense.cube_m, "Of all points in a cube of this side one stays, metres");
-  command->add_option("--dynamics", dense.config.dynamics,
-                      "full (the default): moving people are left out of the cloud; off: nothing is");
-  command->add_option("--detections", dense.config.detections, "A file with boxes in the detector's place");
-  command->add_option("--masks", dense.config.masks, "PNGs, or one for all: what is not 0 is left out");
-  command->add_option("--model", dense.config.detection.model, "The detector's network, any YOLO export in ONNX");
+  std::vector<CLI::Option*> dense_only;
+  const auto add = [&](const char* name, auto& value, const char* help) {
+    dense_only.push_back(command->add_option(name, value, help));
+  };
+  add("--cube", dense.cube_m, "Of all points in a cube of this side one stays, metres");
+  add("--dynamics", dense.config.dynamics,
+      "full (the default): moving people are left out of the cloud; off: nothing is");
+  add("--detections", dense.config.detections, "A file with boxes in the detector's place");
+  add("--masks", dense.config.masks, "PNGs, or one for all: what is not 0 is left out");
+  add("--model", dense.config.detection.model, "The detector's network, any YOLO export in ONNX");
   command->add_flag("--quiet", arguments->is_quiet, "Nothing on standard output");
   command->footer(
       "Examples:\n"
       "  yorb map export office.map --out office.ply\n"
       "  yorb map export office.map --out office_keyframes.txt\n"
       "  yorb map export office.map --out office_dense.ply --dense recordings/office\n"
-      "Sub-maps that were never joined have worlds of their own: X.ply is the largest, then X_2.ply and so on.");
-  command->callback([arguments, &action] { action = [arguments] { return Export(*arguments); }; });
+      "Sub-maps that were never joined have worlds of their own: X.ply is that of the run's trajectory.txt, then "
+      "X_2.ply\n"
+      "and so on; older ones are removed. A line a file says what it has, from when to when.");
+  command->callback([arguments, dense_only, &action] {
+    for (const CLI::Option* option : dense_only) {
+      if (option->count() > 0) arguments->dense.named_option = option->get_name();
+    }
+    action = [arguments] { return Export(*arguments); };
+  });
 }
 
 }  // namespace

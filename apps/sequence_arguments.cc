@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "camera/camera_io.h"
+#include "core/text.h"
 #include "datasets/open_dataset.h"
 #include "evaluation/trajectory_io.h"
 #include "system/config_io.h"
@@ -65,9 +66,15 @@ Result<std::unique_ptr<Dataset>> Open(const std::string& folder, const SequenceA
   return OpenDataset(folder, ChosenCamera{*rig, "of the config file", true}, layout);
 }
 
+void Refuse(CLI::App& command, const RefusedOption& refused) {
+  CLI::Option* option = command.get_option(refused.name);
+  option->group("");  // not in the help
+  option->each([refused](const std::string&) { throw CLI::ValidationError(refused.name, refused.why); });
+}
+
 }  // namespace
 
-void SequenceArguments::AddTo(CLI::App& command) {
+void SequenceArguments::AddTo(CLI::App& command, const std::vector<RefusedOption>& refused) {
   command.add_option("DIR", places, "The folder of the sequence, with rgb.txt and depth.txt or associations.txt")
       ->required()
       ->expected(1, -1);
@@ -96,6 +103,14 @@ void SequenceArguments::AddTo(CLI::App& command) {
                      "The detector's network, any YOLO export in ONNX; left out: models/yolo_mo.onnx");
   command.add_option("--seed", seed, "Of everything that is drawn by chance");
   command.add_option("--max-frames", max_frames, "Only the first so many colour pictures");
+  for (const RefusedOption& option : refused) Refuse(command, option);
+}
+
+Result<long long> WholeNumber(const std::string& option, const std::string& text, long long least, long long most) {
+  const auto number = ParseInteger(Trim(text));
+  if (number && *number >= least && *number <= most) return *number;
+  return BadInput(option + " must be a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                  ", not " + text);
 }
 
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {

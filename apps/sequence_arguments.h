@@ -15,6 +15,11 @@
 
 namespace yorb {
 
+/// An option that a command does not take: its help leaves it out, and whoever gives it is told why.
+struct RefusedOption {
+  const char *name, *why;
+};
+
 /// The options of every command that runs SLAM on a sequence, as they were written.
 struct SequenceArguments {
   std::vector<std::string> places;  ///< DIR, and further key=value after --set
@@ -23,7 +28,7 @@ struct SequenceArguments {
   std::optional<std::string> mode, dynamics, detections, masks, model, seed, max_frames;
 
   /// Adds them to a subcommand, which keeps pointers into this object.
-  void AddTo(CLI::App& command);
+  void AddTo(CLI::App& command, const std::vector<RefusedOption>& refused = {});
 };
 
 /// A sequence that is ready to run.
@@ -32,6 +37,9 @@ struct OpenedSequence {
   Config config;
   std::unique_ptr<Dataset> dataset;
 };
+
+/// The whole number that was written for an option; bad input, by the option's name, outside of the range.
+Result<long long> WholeNumber(const std::string& option, const std::string& text, long long least, long long most);
 
 /// Reads config file and settings (the options above all, then --set, then --config), and opens the sequence.
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options);

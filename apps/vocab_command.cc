@@ -12,6 +12,7 @@
 
 #include "apps/command.h"
 #include "apps/progress.h"
+#include "apps/sequence_arguments.h"
 #include "apps/signals.h"
 #include "core/files.h"
 #include "core/log.h"
@@ -37,10 +38,8 @@ struct TrainArguments {
 Status ReadWhole(const char* name, const std::optional<std::string>& text, long long low, long long high,
                  long long& value) {
   if (!text) return Status::Ok();
-  const auto number = ParseInteger(Trim(*text));
-  if (!number || *number < low || *number > high)
-    return BadInput(std::string(name) + " must be a whole number from " + std::to_string(low) + " to " +
-                    std::to_string(high) + ", not " + *text);
+  const auto number = WholeNumber(name, *text, low, high);
+  if (!number) return number.error();
   value = *number;
   return Status::Ok();
 }
@@ -179,6 +178,10 @@ void AddVocabCommand(CLI::App& program, Action& action) {
   CLI::App* command =
       program.add_subcommand("vocab", "Vocabularies, by which places are recognised: trains one, looks into one");
   command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  yorb vocab train holiday/ office.mp4 --out mine.yvoc\n"
+      "  yorb vocab info mine.yvoc");
   AddTrain(*command, action);
   AddVocabInfo(*command, action);
 }

@@ -22,6 +22,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// What a call of the program came to.
 struct Outcome {
@@ -89,10 +90,12 @@ class Program : public testing::Test {
 };
 
 TEST_F(Program, HelpAndVersionAreNoErrors) {
-  for (const char* command : {"run", "check", "eval", "synth", "detect", "bench"}) {
+  for (const char* command : {"run", "check", "eval", "synth", "detect", "vocab", "map", "bench"}) {
     const Outcome help = Call({command, "--help"});
     EXPECT_EQ(help.code, 0) << command;
-    EXPECT_THAT(help.out, HasSubstr("yorb " + std::string(command))) << "examples of use";
+    const size_t examples = help.out.find("Examples:");
+    ASSERT_NE(examples, std::string::npos) << command;
+    EXPECT_THAT(help.out.substr(examples), HasSubstr("yorb " + std::string(command))) << "examples of use";
   }
   EXPECT_EQ(Call({"--help"}).code, 0);
   EXPECT_THAT(Call({"--version"}).out, HasSubstr("yorb 0."));
@@ -122,6 +125,52 @@ TEST_F(Program, WhatWasAskedForIsNotLeftOutInSilence) {
   ExpectRefused("no_boxes.txt", {"run", room, "--detections", "no_boxes.txt", "--out", out});
   ExpectRefused("holds pictures", {"run", room, "--save-overlay", room + "/rgb", "--out", out});
   ExpectRefused("people.txt", {"bench", "dynamic", room, "--way", "full-exact"});
+}
+
+TEST_F(Program, BenchesOfferWhatTheyTake) {
+  const std::string room = In("room");
+  const Outcome dynamic = Call({"bench", "dynamic", "--help"}), light = Call({"bench", "light", "--help"});
+  EXPECT_THAT(Call({"bench", "speed", "--help"}).out, AllOf(HasSubstr("--dynamics "), HasSubstr("--detections ")));
+  EXPECT_THAT(dynamic.out, HasSubstr("--mode "));
+  for (const char* option : {"--dynamics", "--detections"}) {
+    EXPECT_THAT(dynamic.out, Not(HasSubstr(option)));
+    ExpectRefused(option, {"bench", "dynamic", room, option, "full"});
+  }
+  for (const char* option : {"--mode", "--dynamics", "--detections", "--masks", "--model"}) {
+    EXPECT_THAT(light.out, Not(HasSubstr(option)));
+    ExpectRefused(option, {"bench", "light", room, option, "live"});
+  }
+}
+
+TEST_F(Program, CountsOfBenchesAreWholeNumbersFromOneOn) {
+  for (const char* bad : {"-1", "0", "x", "1.5", "", "99999999999999999999"}) {
+    ExpectRefused("--rounds must be a whole number from 1 ", {"bench", "detector", "--rounds", bad});
+    ExpectRefused("--runs must be a whole number from 1 ", {"bench", "dynamic", In("room"), "--runs", bad});
+    if (bad != std::string("0"))  // all pictures
+      ExpectRefused("--pictures must be a whole number from 0 ", {"bench", "features", In("no"), "--pictures", bad});
+  }
+}
+
+TEST_F(Program, EvalNeverOverwritesWhatItReads) {
+  const std::string poses = "1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n3 1 1 0 0 0 0 1\n4 1 1 1 0 0 0 1\n";
+  for (const char* name : {"truth.txt", "found.txt", "found.svg"}) ASSERT_TRUE(WriteFileWhole(In(name), poses).ok());
+  const std::vector<std::string> eval = {"eval",       "--reference",   In("truth.txt"),
+                                         "--estimate", In("found.svg"), In("found.txt")};
+  const auto with = [&](const std::string& option, const std::string& path) {
+    std::vector<std::string> arguments = eval;
+    arguments.insert(arguments.end(), {option, path});
+    return arguments;
+  };
+  ExpectRefused("what --reference reads", with("--csv", In("truth.txt")));
+  ExpectRefused("what --estimate reads", with("--csv", In("room/../found.txt")));
+  ExpectRefused("what --estimate reads", with("--plot", In("found.svg")));
+  std::filesystem::create_symlink(In("truth.txt"), In("link.csv"));
+  ExpectRefused("what --reference reads", with("--csv", In("link.csv")));
+  for (const char* name : {"truth.txt", "found.txt", "found.svg"}) EXPECT_EQ(*ReadWholeText(In(name)), poses) << name;
+  std::vector<std::string> covered = with("--csv", In("room/rgb.txt"));
+  covered.insert(covered.end(), {"--sequence", In("room")});
+  ExpectRefused("what --sequence reads", covered);
+  for (int times = 0; times < 2; ++times) EXPECT_EQ(Call(with("--csv", In("errors.csv"))).code, 0) << "its own results";
 }
 
 TEST_F(Program, AnUnusableOutputFolderIsRefusedBeforeAnyWork) {

@@ -83,6 +83,47 @@ TEST(CalibrationFile, KalibrAndEuroc) {
   EXPECT_EQ(euroc.fps, 20);
 }
 
+TEST(CalibrationFile, CamodocalAsVinsHasIt) {
+  const std::string head = "%YAML:1.0\n---\n", size = "camera_name: head\nimage_width: 640\nimage_height: 480\n";
+  const std::string lens = "distortion_parameters:\n   k1: .1\n   k2: -.2\n   p1: .003\n   p2: .004\n";
+  const std::string matrix =
+      "projection_parameters:\n   fx: 525.5\n   fy: 526.5\n   cx: 319.25\n   cy: 239.75\ndepth_factor: 1000\n";
+  const Rig rig = ReadCalib(head + "model_type: PINHOLE\n" + size + lens + matrix);
+  ExpectCamera(rig, {.1, -.2, .003, .004, 0, 0, 0, 0});
+  EXPECT_EQ(rig.name, "head");
+  EXPECT_EQ(rig.depth_factor, 1000);
+  ExpectCamera(ReadCalib(head + "model_type: PINHOLE_FULL\n" + size + lens +
+                         "   k3: .5\n   k4: .6\n   k5: .7\n   k6: .8\n" + matrix),
+               {.1, -.2, .003, .004, .5, .6, .7, .8});
+  EXPECT_THAT(CalibComplaint(head + size + matrix), HasSubstr("distortion_parameters"));
+  EXPECT_THAT(CalibComplaint(head + size + lens + "   K3: .5\n" + matrix), HasSubstr("distortion_parameters.K3"));
+  EXPECT_THAT(CalibComplaint(head + size + lens), HasSubstr("projection_parameters.fx"));
+  EXPECT_THAT(CalibComplaint(head + "model_type: MEI\n" + size + lens + matrix), HasSubstr("model_type is 'mei'"));
+  EXPECT_THAT(CalibComplaint(head + "num_of_cam: 1\ncam0_calib: \"cam0.yaml\"\nimage_width: 640\n"),
+              HasSubstr("cam0_calib"));
+}
+
+std::string RosMessageOfRegion(const std::string& region) {
+  return "height: 960\nwidth: 1280\ndistortion_model: plumb_bob\nd: [.1, -.2, .003, .004, .5]\n"
+         "k: [525.5, 0, 639.25, 0, 526.5, 479.75, 0, 0, 1]\nbinning_x: 0\nbinning_y: 0\nroi: {" +
+         region + ", do_rectify: false}\n";
+}
+
+TEST(CalibrationFile, RosRegionsAreParts) {
+  const auto read = [](const std::string& region) { return ReadCalib(RosMessageOfRegion(region)).camera; };
+  const auto complaint = [](const std::string& region) { return CalibComplaint(RosMessageOfRegion(region)); };
+  ExpectCamera(ReadCalib(RosMessageOfRegion("x_offset: 320, y_offset: 240, height: 480, width: 640")),
+               {.1, -.2, .003, .004, .5, 0, 0, 0});
+  for (const char* whole : {"x_offset: 0, y_offset: 0, height: 0, width: 0", "height: 960, width: 1280"}) {
+    EXPECT_EQ(read(whole).cx, 639.25);
+    EXPECT_EQ(read(whole).width, 1280);
+  }
+  EXPECT_THAT(complaint("x_offset: 700, y_offset: 240, height: 480, width: 640"), HasSubstr("roi.width"));
+  EXPECT_THAT(complaint("x_offset: 320, y_offset: 240, height: 0, width: 640"), HasSubstr("roi.width"));
+  EXPECT_THAT(complaint("x_offset: -1, y_offset: 240, height: 480, width: 640"), HasSubstr("roi.width"));
+  EXPECT_THAT(complaint("x_offset: 640, y_offset: 240, height: 480, width: 640"), HasSubstr("roi.x_offset puts the"));
+}
+
 TEST(CalibrationFile, OtherLensesAndShapesAreRefusedByName) {
   const std::string start = "cam0:\n  intrinsics: [525.5, 526.5, 319.25, 239.75]\n  resolution: [640, 480]\n";
   EXPECT_THAT(CalibComplaint(start + "  camera_model: omni\n  distortion_coeffs: []\n"), HasSubstr("omni"));

@@ -27,7 +27,8 @@ namespace yorb {
 //   readout_s: 0.026             # a rolling shutter's time from the first row to the last; left out: 0, all at once
 //
 // Read as well: ORB-SLAM2 and ORB-SLAM3 settings (and OpenVSLAM's, which are near to them), ROS camera_info, OpenCV
-// calibrations, Kalibr's camchain of one camera, EuRoC's sensor.yaml. The calibration formats do not speak of depth:
+// calibrations, Kalibr's camchain of one camera, EuRoC's sensor.yaml, VINS's pinhole cameras (camodocal). ROS's region
+// of interest is taken for the pictures' part of the whole picture. The calibration formats do not speak of depth:
 // depth_factor, baseline_*, close_factor, readout_s and fps may be added to them as top-level keys of the names above;
 // to ORB-SLAM's settings, too, but for fps.
 //

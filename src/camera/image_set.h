@@ -17,16 +17,19 @@ struct DepthImage {
 
   bool empty() const { return pixels.empty(); }
 
+  static constexpr double kBeyondAnyCamera = 1e6;  ///< metres from which on a depth is none
+
+  /// What the picture and the factor say of a pixel inside of it, in metres and be it absurd; 0 where 16-bit pixels say
+  /// that nothing was measured.
+  double StoredMetres(int x, int y) const {
+    if (pixels.type() != CV_16UC1) return pixels.at<float>(y, x);
+    const uint16_t units = pixels.at<uint16_t>(y, x);
+    return units == 65535 ? 0.0 : units * metres_per_unit;
+  }
+
   /// Metres along the optical axis at a pixel inside of the picture; 0 where nothing was measured.
   float At(int x, int y) const {
-    constexpr double kBeyondAnyCamera = 1e6;
-    double metres = 0;
-    if (pixels.type() == CV_16UC1) {
-      const uint16_t units = pixels.at<uint16_t>(y, x);
-      metres = units == 65535 ? 0.0 : units * metres_per_unit;
-    } else {
-      metres = pixels.at<float>(y, x);
-    }
+    const double metres = StoredMetres(x, y);
     return metres > 0 && metres < kBeyondAnyCamera ? static_cast<float>(metres) : 0.f;
   }
 };

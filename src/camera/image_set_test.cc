@@ -17,6 +17,7 @@ TEST(DepthImage, UnitsBecomeMetresAndHolesZero) {
   EXPECT_EQ(depth.At(0, 0), 0);
   EXPECT_FLOAT_EQ(depth.At(1, 0), 1);
   EXPECT_EQ(depth.At(2, 0), 0) << "65535 means not measured";
+  EXPECT_EQ(depth.StoredMetres(2, 0), 0);
   EXPECT_FLOAT_EQ(depth.At(3, 0), 0.0002f);
 }
 
@@ -33,6 +34,7 @@ TEST(DepthImage, FloatsAreMetresWhateverTheFactor) {
 TEST(DepthImage, WhatNoCameraCanSeeIsNotMeasured) {
   const DepthImage absurd{cv::Mat(1, 1, CV_16UC1, cv::Scalar(5)), 1e300};
   EXPECT_EQ(absurd.At(0, 0), 0);
+  EXPECT_DOUBLE_EQ(absurd.StoredMetres(0, 0), 5e300) << "as it is stored";
   const DepthImage far_away{cv::Mat(1, 1, CV_32FC1, cv::Scalar(1e30)), 1};
   EXPECT_EQ(far_away.At(0, 0), 0);
 }

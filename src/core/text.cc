@@ -193,6 +193,13 @@ std::string FormatShortest(double value) {
   return error == std::errc() ? std::string(buffer, end) : std::string("0");
 }
 
+std::string LowerCase(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 std::string OneLine(std::string_view text) {
   constexpr size_t kMost = 2000, kHead = 1200, kTail = 600;
   const auto is_inside_letter = [&](size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };

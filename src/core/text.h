@@ -58,6 +58,9 @@ std::string FormatFixed(double value, int decimals);
 /// The shortest text that reads back as the same number, with a decimal point in every locale.
 std::string FormatShortest(double value);
 
+/// In small letters; only those of ASCII are changed.
+std::string LowerCase(std::string text);
+
 /// The text as one line of bearable length, for a complaint or a log: control characters become blanks, and the middle
 /// of more than 2000 bytes is left out.
 std::string OneLine(std::string_view text);

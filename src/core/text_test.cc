@@ -199,6 +199,11 @@ TEST(Text, NumbersDoNotDependOnTheLocale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
+TEST(Text, SmallLettersAreThoseOfAscii) {
+  EXPECT_EQ(LowerCase("A.PnG \xc3\x84[]@Z"), "a.png \xc3\x84[]@z");
+  EXPECT_EQ(LowerCase(""), "");
+}
+
 TEST(Text, NearestWordIsTheOneAUserMeant) {
   EXPECT_EQ(NearestWord("featurs", {"tracking", "features", "mapping"}), "features");
   EXPECT_EQ(NearestWord("mode", {"model", "mode", "nodes"}), "mode");

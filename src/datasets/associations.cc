@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/text.h"
 #include "pictures/endings.h"
 #include "pictures/picture_file.h"
 
@@ -61,9 +62,8 @@ bool SpeaksOfDepth(const std::string& name, const std::string& other) {
   const auto parts = std::mismatch(name.begin(), name.end(), other.begin(), other.end());
   const size_t same = static_cast<size_t>(parts.first - name.begin());
   const size_t slash = name.rfind('/', same > 0 ? same - 1 : 0);
-  std::string rest = name.substr(slash == std::string::npos || slash > same ? 0 : slash);
-  std::transform(rest.begin(), rest.end(), rest.begin(), [](unsigned char c) { return std::tolower(c); });
-  return rest.find("depth") != std::string::npos;
+  const std::string rest = name.substr(slash == std::string::npos || slash > same ? 0 : slash);
+  return LowerCase(rest).find("depth") != std::string::npos;
 }
 
 /// Whether the second picture is the depth of the first; nothing where neither names nor pictures tell.

@@ -29,6 +29,10 @@ using Level = Finding::Level;
 
 std::string Percent(double share) { return FormatFixed(100 * share, 1) + " %"; }
 
+std::string CountOfUnreadable(size_t count, size_t of, const std::string& first) {
+  return std::to_string(count) + " of the " + std::to_string(of) + " looked into cannot be read, the first: " + first;
+}
+
 ListFacts FactsOf(const PictureList& list) {
   ListFacts facts;
   const auto times = list.Times();
@@ -76,11 +80,13 @@ class Examiner {
   }
 
   void ReportLists();
+  void ReportPairs();
   void ReportFiles();
   void ReportCamera();
   void ReportPictures();
   void CompareSizes(const cv::Size& size);
   void ReportDepth();
+  bool HasReadableDepth();
   void ReportTruth();
   void SampleDepth(size_t frame, const cv::Size& size);
 
@@ -92,21 +98,12 @@ class Examiner {
   std::vector<double> depths_m_;
   size_t num_depth_pixels_ = 0, num_depth_pictures_ = 0;
   bool is_depth_float_ = false;
-  std::vector<std::string> depth_errors_;
+  std::vector<std::string> depth_errors_, depth_faults_;  // of a wrong kind; not to be read at all
 };
 
 void Examiner::ReportLists() {
   check_.colour = FactsOf(lists_->colour);
   check_.depth = FactsOf(lists_->depth);
-  check_.num_pairs = lists_->NumWithDepth();
-  std::vector<double> apart_s;
-  for (size_t i = 0; i < lists_->depth_of.size(); ++i) {
-    if (lists_->depth_of[i] < 0) continue;
-    const Timestamp depth = lists_->depth.pictures[static_cast<size_t>(lists_->depth_of[i])].time;
-    apart_s.push_back(std::abs(SecondsBetween(lists_->colour.pictures[i].time, depth)));
-  }
-  check_.median_pair_distance_s = Quantile(apart_s, 0.5);
-
   const ListFacts& colour = check_.colour;
   std::string rates = std::to_string(colour.count) + " colour pictures";
   if (colour.rate_hz) rates += " at " + FormatFixed(*colour.rate_hz, 1) + " Hz";
@@ -114,14 +111,33 @@ void Examiner::ReportLists() {
   if (check_.depth.rate_hz) rates += " at " + FormatFixed(*check_.depth.rate_hz, 1) + " Hz";
   if (colour.count > 1) rates += ", " + FormatFixed(SecondsBetween(*colour.first, *colour.last), 1) + " s";
   Add(Level::kFine, "stamps", rates + (lists_->are_associated ? " (" + lists_->colour.file + ")" : ""));
+  if (const std::string strange = StrangeStamps(lists_->colour); !strange.empty()) {
+    Add(Level::kWarning, "stamps", strange);
+  }
   if (colour.longest_gap_s && *colour.longest_gap_s > kLongGap) {
     Add(Level::kWarning, "stamps",
         "the longest gap between colour pictures is " + FormatFixed(*colour.longest_gap_s, 2) + " s");
   }
-  const double share = static_cast<double>(*check_.num_pairs) / static_cast<double>(colour.count);
+  ReportPairs();
+}
+
+void Examiner::ReportPairs() {
+  std::vector<double> apart_s;
+  for (size_t i = 0; i < lists_->depth_of.size(); ++i) {
+    if (lists_->depth_of[i] < 0) continue;
+    const Timestamp depth = lists_->depth.pictures[static_cast<size_t>(lists_->depth_of[i])].time;
+    apart_s.push_back(std::abs(SecondsBetween(lists_->colour.pictures[i].time, depth)));
+  }
+  const auto is_far = [](double apart) { return apart > kMaxPairDifference; };  // as lists of associations may be
+  const auto num_far = static_cast<size_t>(std::count_if(apart_s.begin(), apart_s.end(), is_far));
+  check_.num_pairs = apart_s.size() - num_far;
+  check_.median_pair_distance_s = Quantile(apart_s, 0.5);
+  const double share = static_cast<double>(*check_.num_pairs) / static_cast<double>(check_.colour.count);
   Add(share < kAllNear ? Level::kWarning : Level::kFine, "pairs",
-      std::to_string(*check_.num_pairs) + " of " + std::to_string(colour.count) + " colour pictures have depth, " +
-          FormatFixed(*check_.median_pair_distance_s * 1e3, 1) + " ms apart (median)");
+      std::to_string(*check_.num_pairs) + " of " + std::to_string(check_.colour.count) +
+          " colour pictures have depth within 20 ms, " + FormatFixed(*check_.median_pair_distance_s * 1e3, 1) +
+          " ms apart (median)" +
+          (num_far > 0 ? "; " + std::to_string(num_far) + " pairs of the list are farther apart" : ""));
 }
 
 void Examiner::ReportFiles() {
@@ -149,13 +165,13 @@ void Examiner::ReportPictures() {
   const size_t num_samples = std::min(kSamples, pictures.size());
   std::optional<cv::Size> size;
   bool is_fine = true;
+  std::string first_fault;
   for (size_t k = 0; k < num_samples; ++k) {
     const size_t i = k * pictures.size() / num_samples;
     const StoredPicture stored = ReadPictureFile(pictures[i].path);
     ++check_.num_sampled;
     if (!stored.fault.empty()) {
-      ++check_.num_unreadable;
-      Add(Level::kWarning, "pictures", pictures[i].path + " " + stored.fault + "; its frame would be left out");
+      if (++check_.num_unreadable == 1) first_fault = pictures[i].path + " " + stored.fault;
       continue;
     }
     const auto usable = ToColourAndGrey(stored.pixels, pictures[i].path);
@@ -168,7 +184,11 @@ void Examiner::ReportPictures() {
     if (!size) size = stored.pixels.size();
     SampleDepth(i, *size);
   }
-  if (!size) return Add(Level::kError, "pictures", "none of the pictures looked into can be read");
+  if (!size) return Add(Level::kError, "pictures", "none of the pictures looked into can be read: " + first_fault);
+  if (check_.num_unreadable > 0) {
+    Add(Level::kWarning, "pictures",
+        CountOfUnreadable(check_.num_unreadable, check_.num_sampled, first_fault) + "; their frames would be left out");
+  }
   check_.width = size->width;
   check_.height = size->height;
   if (is_fine) {
@@ -196,7 +216,8 @@ void Examiner::SampleDepth(size_t frame, const cv::Size& size) {
   const std::string& path = lists_->depth.pictures[static_cast<size_t>(index)].path;
   const StoredPicture stored = ReadPictureFile(path);
   if (!stored.fault.empty()) {
-    return Add(Level::kWarning, "depth", path + " " + stored.fault + "; its frame would have no depth");
+    depth_faults_.push_back(path + " " + stored.fault);
+    return;
   }
   if (const Status kind = CheckDepth(stored.pixels, size, path); !kind) {
     depth_errors_.push_back(kind.error().message);
@@ -214,9 +235,24 @@ void Examiner::SampleDepth(size_t frame, const cv::Size& size) {
   }
 }
 
-void Examiner::ReportDepth() {
+/// Tells of depth pictures that are none, each kind in one line; whether there are others.
+bool Examiner::HasReadableDepth() {
   if (!depth_errors_.empty()) Add(Level::kError, "depth", depth_errors_.front());
-  if (num_depth_pictures_ == 0) return;
+  const size_t num_others = depth_errors_.size() + num_depth_pictures_;
+  if (const size_t num_faults = depth_faults_.size(); num_faults > 0) {
+    const std::string& first = depth_faults_.front();
+    if (num_others == 0) {
+      Add(Level::kError, "depth", "none of the depth pictures looked into can be read: " + first);
+    } else {
+      Add(Level::kWarning, "depth",
+          CountOfUnreadable(num_faults, num_faults + num_others, first) + "; their frames would have no depth");
+    }
+  }
+  return num_depth_pictures_ > 0;
+}
+
+void Examiner::ReportDepth() {
+  if (!HasReadableDepth()) return;
   if (depths_m_.empty())
     return Add(Level::kWarning, "depth", "no depth is measured in any picture looked into: no map could begin");
   check_.depth_hole_share = 1 - static_cast<double>(depths_m_.size()) / static_cast<double>(num_depth_pixels_);

@@ -15,7 +15,7 @@ struct Finding {
   enum class Level {
     kFine,
     kWarning,  ///< a run is possible; the result may suffer
-    kError,    ///< a run would be refused
+    kError,    ///< a run would be refused, or could give no pose
   };
   Level level = Level::kFine;
   std::string topic;  ///< "layout", "stamps", "pairs", "files", "camera", "pictures", "depth", "truth"
@@ -34,10 +34,10 @@ struct ListFacts {
 struct SequenceCheck {
   std::string folder;
   ListFacts colour, depth;
-  std::optional<size_t> num_pairs;
-  std::optional<double> median_pair_distance_s;
-  std::optional<int> width, height;  ///< of the colour pictures
-  std::string camera;                ///< empty where none could be chosen
+  std::optional<size_t> num_pairs;               ///< within 20 ms
+  std::optional<double> median_pair_distance_s;  ///< of all pairs, be they farther apart
+  std::optional<int> width, height;              ///< of the colour pictures
+  std::string camera;                            ///< empty where none could be chosen
   size_t num_sampled = 0, num_unreadable = 0;
   std::optional<double> depth_p5_m, depth_median_m, depth_p95_m, depth_hole_share;
   std::optional<double> truth_share;  ///< of the colour pictures with a true pose near

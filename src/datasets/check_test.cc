@@ -21,6 +21,15 @@ bool Finds(const SequenceCheck& check, Finding::Level level, const std::string& 
                      [&](const Finding& f) { return f.level == level && f.topic == topic; });
 }
 
+/// All findings of one kind, a line each.
+std::string TextsOf(const SequenceCheck& check, Finding::Level level, const std::string& topic) {
+  std::string texts;
+  for (const Finding& finding : check.findings) {
+    if (finding.level == level && finding.topic == topic) texts += finding.text + "\n";
+  }
+  return texts;
+}
+
 class Check : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -75,6 +84,53 @@ TEST_F(Check, AbsurdDepthFactorsAndSizesAreSeen) {
   EXPECT_TRUE(Finds(Run(), Finding::Level::kError, "depth"));
 }
 
+TEST_F(Check, AnInvertedDepthFactorIsToldWithTheRightOne) {
+  std::string camera = kTestCamera;
+  folder_.Write("seq/camera.yaml", camera.replace(camera.find("1000"), 4, "0.001"));
+  EXPECT_THAT(TextsOf(Run(), Finding::Level::kWarning, "depth"), HasSubstr("units per metre: 1000, not"));
+}
+
+TEST_F(Check, PicturesThatCannotBeReadAreCountedInOneLine) {
+  for (const char* name : {"seq/rgb/1.png", "seq/rgb/2.png", "seq/depth/3.png", "seq/depth/4.png"}) {
+    folder_.Write(name, "");
+  }
+  SequenceCheck check = Run();
+  EXPECT_TRUE(check.is_usable()) << CheckText(check);
+  for (const char* topic : {"pictures", "depth"}) {
+    const std::string texts = TextsOf(check, Finding::Level::kWarning, topic);
+    EXPECT_EQ(std::count(texts.begin(), texts.end(), '\n'), 1) << texts;
+    EXPECT_THAT(texts, HasSubstr("2 of the ")) << topic;
+  }
+  for (int k = 0; k < 6; ++k) folder_.Write("seq/depth/" + std::to_string(k) + ".png", "");
+  check = Run();
+  EXPECT_FALSE(check.is_usable()) << "no map could begin";
+  EXPECT_THAT(TextsOf(check, Finding::Level::kError, "depth"), HasSubstr("none of the depth pictures"));
+  EXPECT_FALSE(Finds(check, Finding::Level::kWarning, "depth"));
+}
+
+TEST_F(Check, DepthOfAnotherMomentIsNoPair) {
+  folder_.Write("seq/associations.txt",
+                "1000.0 rgb/0.png 1000.02 depth/0.png\n1000.1 rgb/1.png 2000 depth/1.png\n"
+                "1000.2 rgb/2.png 2000.1 depth/2.png\n");
+  const SequenceCheck check = Run();
+  EXPECT_EQ(*check.num_pairs, 1u);
+  EXPECT_GT(*check.median_pair_distance_s, 900);
+  EXPECT_THAT(TextsOf(check, Finding::Level::kWarning, "pairs"), HasSubstr("2 pairs of the list are farther apart"));
+}
+
+TEST_F(Check, StampsThatMayBeFrameNumbersAreAFinding) {
+  std::string rgb, depth;
+  for (int k = 0; k < 6; ++k) {
+    const std::string number = std::to_string(k);
+    rgb += number + " rgb/" + number + ".png\n";
+    depth += number + " depth/" + number + ".png\n";
+  }
+  EXPECT_FALSE(Finds(Run(), Finding::Level::kWarning, "stamps"));
+  folder_.Write("seq/rgb.txt", rgb);
+  folder_.Write("seq/depth.txt", depth);
+  EXPECT_THAT(TextsOf(Run(), Finding::Level::kWarning, "stamps"), HasSubstr("frame numbers"));
+}
+
 TEST_F(Check, ReadsWhatIsThereOfABrokenFolder) {
   folder_.Write("seq/rgb.txt", "1000.0 rgb/0.png\n1000.0 rgb/1.png\n");
   EXPECT_TRUE(Finds(Run(), Finding::Level::kError, "lists"));
@@ -113,12 +169,32 @@ TEST_F(Watch, WarnsOnceOfWhatCannotBeMeant) {
   }
 }
 
+TEST_F(Watch, AnInvertedFactorIsNoWantOfDepth) {
+  constexpr double kInverse = 0.0002;
+  Rig rig;
+  rig.depth_factor = kInverse;
+  LoadedFrame frame;
+  frame.images = ImageSet{};
+  frame.depth = GlanceAt({cv::Mat(48, 64, CV_16UC1, cv::Scalar(7500)), 1 / kInverse});
+  ::testing::internal::CaptureStderr();
+  DepthWatch watch(rig);
+  watch.Add(frame);
+  watch.Conclude();
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("depth_factor is units per metre: 5000, not"));
+  EXPECT_THAT(said, ::testing::Not(HasSubstr("no usable depth")));
+  EXPECT_FALSE(watch.has_seen_any());
+  EXPECT_THAT(DepthWatch::FactorComplaint(7500, false, 1, "cam"), HasSubstr("1000 where"));
+}
+
 TEST(GlanceAt, SeesShareAndMedian) {
   cv::Mat pixels(48, 64, CV_16UC1, cv::Scalar(2000));
   pixels.colRange(0, 32).setTo(0);
   const DepthGlance glance = GlanceAt({pixels, 1e-3});
   EXPECT_NEAR(glance.measured_share, 0.5, 0.05);
   EXPECT_NEAR(glance.median_m, 2, 1e-6);
+  pixels.setTo(65535);
+  EXPECT_EQ(GlanceAt({pixels, 1e6}).measured_share, 0) << "not measured, whatever the factor";
   EXPECT_FALSE(GlanceAt({}).has_picture);
 }
 

@@ -73,41 +73,82 @@ Result<Names> NamesOf(const YAML::Node& list, const std::string& path) {
     if (!number) return BadYaml(path, name.Mark(), "a name of names has no number before it");
     if (*number < 0 || *number >= kMostClasses)
       return BadYaml(path, name.Mark(), "the number of a class is out of range");
-    if (names.size() <= static_cast<size_t>(*number)) names.resize(static_cast<size_t>(*number) + 1);
-    names[static_cast<size_t>(*number)] = name.Scalar();
+    const auto index = static_cast<size_t>(*number);
+    if (names.size() <= index) names.resize(index + 1);
+    if (!names[index].empty())
+      return BadYaml(path, name.Mark(), "the number " + std::to_string(index) + " stands here twice");
+    names[index] = name.Scalar();
   }
   if (names.empty()) return BadYaml(path, list.Mark(), "no class names follow");
   return names;
 }
 
-/// Of a data.yaml only `names` counts; its paths are those of whoever trained.
-Result<Names> ReadDataYaml(const std::string& path) {
+/// The numbers that follow a box: so many points, x and y, or with whether they are visible.
+Result<size_t> KeypointNumbersOf(const YAML::Node& shape, const std::string& path) {
+  const auto number_at = [&](size_t i) {
+    return shape.IsSequence() && shape.size() == 2 && shape[i].IsScalar() ? ParseInteger(shape[i].Scalar())
+                                                                          : std::nullopt;
+  };
+  const auto points = number_at(0), numbers = number_at(1);
+  if (!points || !numbers || *points < 1 || *points > kMostClasses || *numbers < 2 || *numbers > 3)
+    return BadYaml(path, shape.Mark(), "kpt_shape must be [points, 2] or [points, 3]");
+  return static_cast<size_t>(*points * *numbers);
+}
+
+/// Of a data.yaml only `names` and `kpt_shape` count; its paths are those of whoever trained.
+Result<LabelForm> ReadDataYaml(const std::string& path) {
   const auto text = ReadWholeText(path);
   if (!text) return text.error();
   try {
     const YAML::Node file = YAML::Load(*text);
-    if (file.IsMap() && file["names"]) return NamesOf(file["names"], path);
-    return BadInput(path + " has no names: the list of its classes");
+    if (!file.IsMap() || !file["names"]) return BadInput(path + " has no names: the list of its classes");
+    auto names = NamesOf(file["names"], path);
+    if (!names) return names.error();
+    LabelForm form{*std::move(names), 0};
+    if (!file["kpt_shape"]) return form;
+    const auto numbers = KeypointNumbersOf(file["kpt_shape"], path);
+    if (!numbers) return numbers.error();
+    form.num_keypoint_numbers = *numbers;
+    return form;
   } catch (const YAML::Exception& error) {
     return BadYaml(path, error.mark, "no valid YAML: " + error.msg);
   }
 }
 
+Result<LabelForm> FormOfList(const std::string& path) {
+  auto names = ReadClassesTxt(path);
+  if (!names) return names.error();
+  return LabelForm{*std::move(names), 0};
+}
+
+/// The folder that a folder lies in.
+fs::path Above(const std::string& folder) {
+  std::error_code error;
+  const fs::path place = fs::canonical(folder, error);
+  return error ? fs::path() : place.parent_path();
+}
+
 }  // namespace
 
-Result<Names> ReadClassList(const std::string& folder) {
-  std::error_code ignored;
-  const auto at = [&](const char* name) { return (fs::path(folder) / name).string(); };
-  if (fs::exists(at("classes.txt"), ignored)) return ReadClassesTxt(at("classes.txt"));
+Result<LabelForm> ReadLabelForm(const std::string& folder, const std::string& set) {
+  const fs::path place = folder;
+  const auto is_there = [](const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
+  };
+  if (const fs::path list = place / "classes.txt"; is_there(list)) return FormOfList(list.string());
   for (const char* name : {"data.yaml", "data.yml"}) {
-    if (fs::exists(at(name), ignored)) return ReadDataYaml(at(name));
+    if (is_there(place / name)) return ReadDataYaml((place / name).string());
   }
   // LabelImg writes its list among the labels.
-  if (const auto list = (fs::path(folder) / "labels" / "classes.txt").string(); fs::exists(list, ignored))
-    return ReadClassesTxt(list);
+  for (const fs::path& list : {place / "labels" / "classes.txt", place / "labels" / set / "classes.txt"}) {
+    if (is_there(list)) return FormOfList(list.string());
+  }
+  // Roboflow's sets, DIR/valid and DIR/test, share the file above them.
+  if (const fs::path list = Above(folder) / "data.yaml"; is_there(list)) return ReadDataYaml(list.string());
   LogWarning("no-class-list",
              folder + " has no list of its classes (classes.txt or data.yaml); they count as COCO's 80");
-  return CocoNames();
+  return LabelForm{CocoNames(), 0};
 }
 
 }  // namespace yorb

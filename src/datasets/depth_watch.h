@@ -24,7 +24,7 @@ class DepthWatch {
   void Conclude(bool needs_depth = true);
 
   /// Whether any frame so far had depth to speak of.
-  bool has_seen_any() const { return !medians_m_.empty(); }
+  bool has_seen_any() const { return has_seen_any_; }
 
   /// What is wrong with a typical depth; empty where nothing is.
   static std::string FactorComplaint(double median_m, bool is_float, double depth_factor, const std::string& camera);
@@ -37,6 +37,7 @@ class DepthWatch {
   size_t num_frames_ = 0;
   bool is_judged_ = false;
   bool is_float_ = false;
+  bool has_seen_any_ = false;
   std::vector<double> medians_m_;  // of the frames seen until the judgement
 };
 

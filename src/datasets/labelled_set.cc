@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <tuple>
 #include <utility>
 
+#include "core/log.h"
 #include "core/text.h"
 #include "pictures/picture_folder.h"
 
@@ -35,10 +37,9 @@ LabelledBox FromPolygon(const std::vector<double>& n) {
 bool HasArea(const LabelledBox& box) { return box.right > box.left && box.bottom > box.top; }
 
 /// What is wrong with the numbers behind the class, in words; empty where all is well.
-std::string FaultOf(const std::vector<double>& numbers, size_t num_words) {
+std::string FaultOf(const std::vector<double>& numbers) {
   const bool is_box = numbers.size() == 4, is_polygon = numbers.size() >= 6 && numbers.size() % 2 == 0;
-  if (numbers.size() + 1 != num_words) return "not all of them are numbers";
-  if (!is_box && !is_polygon) return "there are " + std::to_string(num_words) + " numbers";
+  if (!is_box && !is_polygon) return "there are " + std::to_string(numbers.size() + 1) + " numbers";
   for (size_t i = 0; i < numbers.size(); ++i) {
     if (!std::isfinite(numbers[i]) || numbers[i] < -kSlack || numbers[i] > 1 + kSlack)
       return "they are no fractions of the picture from 0 to 1";
@@ -48,7 +49,8 @@ std::string FaultOf(const std::vector<double>& numbers, size_t num_words) {
   return "";
 }
 
-Result<LabelledBox> ParseLabel(const std::string& line, const std::vector<std::string>& classes) {
+Result<LabelledBox> ParseLabel(const std::string& line, const LabelForm& form) {
+  const auto& classes = form.classes;
   const auto words = SplitAtBlanks(line);
   const auto label = ParseInteger(words.front());
   if (!label) return BadInput("'" + std::string(words.front()).substr(0, 40) + "' is no number of a class");
@@ -58,8 +60,9 @@ Result<LabelledBox> ParseLabel(const std::string& line, const std::vector<std::s
   for (size_t i = 1; i < words.size(); ++i) {
     if (const auto number = ParseDouble(words[i])) numbers.push_back(*number);
   }
-  const std::string fault = FaultOf(numbers, words.size());
-  if (!fault.empty()) return BadInput(fault);
+  if (numbers.size() + 1 != words.size()) return BadInput("not all of them are numbers");
+  if (form.num_keypoint_numbers > 0 && numbers.size() == 4 + form.num_keypoint_numbers) numbers.resize(4);
+  if (const std::string fault = FaultOf(numbers); !fault.empty()) return BadInput(fault);
   LabelledBox box = numbers.size() == 4 ? FromCentre(numbers) : FromPolygon(numbers);
   box.label = static_cast<int>(*label);
   for (double* edge : {&box.left, &box.top, &box.right, &box.bottom}) *edge = std::clamp(*edge, 0.0, 1.0);
@@ -85,14 +88,31 @@ Status CheckLayout(const LabelledSet& set, size_t num_label_files, const std::st
                   " pictures; the labels of images/A/B.jpg stand in labels/A/B.txt");
 }
 
+/// Label files that no picture took: of 0.png.txt and 0.TXT the picture would count as empty, without a word.
+void WarnOfLabelsWithoutPicture(const std::string& labels, const std::set<std::string>& taken) {
+  std::set<std::string> left;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(labels, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path path = entry->path();
+    const bool is_hidden = path.filename().string().front() == '.', is_list = path.filename() == "classes.txt";
+    const bool is_label = LowerCase(path.extension().string()) == ".txt" && !is_hidden && !is_list;
+    if (is_label && taken.count(path.string()) == 0) left.insert(path.string());
+  }
+  if (left.empty()) return;
+  LogWarning("labels-without-picture",
+             std::to_string(left.size()) + (left.size() == 1 ? " label file belongs" : " label files belong") +
+                 " to no picture and " + (left.size() == 1 ? "is" : "are") + " left out, first " + *left.begin() +
+                 "; the labels of images/A/B.jpg stand in labels/A/B.txt");
+}
+
 }  // namespace
 
-Result<std::vector<LabelledBox>> ReadLabelFile(const std::string& path, const std::vector<std::string>& classes) {
+Result<std::vector<LabelledBox>> ReadLabelFile(const std::string& path, const LabelForm& form) {
   const auto file = ReadTextFile(path);
   if (!file) return file.error();
   std::vector<LabelledBox> boxes;
   for (const TextLine& line : file->lines) {
-    const auto box = ParseLabel(line.text, classes);
+    const auto box = ParseLabel(line.text, form);
     if (!box)
       return BadInput(file->Where(line) + ": " + box.error().message +
                       "; a line is 'class x y width height', fractions of the picture");
@@ -114,23 +134,24 @@ Result<LabelledSet> ReadLabelledSet(const std::string& folder, const std::string
         folder + " has no folder images; pictures lie under images/ and their labels at the same place under labels/");
   if (!fs::is_directory(images / set, ignored))
     return BadInput((images / set).string() + " is no folder" + SetsOf(images));
-  auto classes = ReadClassList(folder);
-  if (!classes) return classes.error();
-  LabelledSet result{folder, *std::move(classes), {}};
-  size_t num_label_files = 0;
+  const auto form = ReadLabelForm(folder, set);
+  if (!form) return form.error();
+  LabelledSet result{folder, form->classes, {}};
+  std::set<std::string> label_files;
   for (const std::string& picture : PicturesUnder((set.empty() ? images : images / set).string())) {
     const fs::path place = fs::path(picture).lexically_relative(images).replace_extension(".txt");
     const std::string label_file = (labels / place).string();
     LabelledPicture entry{picture, {}};
     if (fs::exists(label_file, ignored)) {
-      auto boxes = ReadLabelFile(label_file, result.classes);
+      auto boxes = ReadLabelFile(label_file, *form);
       if (!boxes) return boxes.error();
       entry.boxes = *std::move(boxes);
-      ++num_label_files;
+      label_files.insert(label_file);
     }
     result.pictures.push_back(std::move(entry));
   }
-  if (Status layout = CheckLayout(result, num_label_files, labels.string()); !layout) return layout.error();
+  if (Status layout = CheckLayout(result, label_files.size(), labels.string()); !layout) return layout.error();
+  WarnOfLabelsWithoutPicture((set.empty() ? labels : labels / set).string(), label_files);
   return result;
 }
 

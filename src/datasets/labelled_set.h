@@ -21,6 +21,12 @@ struct LabelledPicture {
   std::vector<LabelledBox> boxes;
 };
 
+/// What the numbers of label files mean.
+struct LabelForm {
+  std::vector<std::string> classes;  ///< by number; empty text: no class has this number
+  size_t num_keypoint_numbers = 0;   ///< that follow each box, where a data.yaml states a kpt_shape
+};
+
 /// Pictures with true boxes in YOLO's layout: pictures anywhere under DIR/images, and at the same place under
 /// DIR/labels a text file each, with lines `class x y width height` or polygons `class x1 y1 x2 y2 x3 y3 ...`.
 struct LabelledSet {
@@ -29,15 +35,15 @@ struct LabelledSet {
   std::vector<LabelledPicture> pictures;
 };
 
-/// Reads DIR/images/SET (empty: all of DIR/images). Class names stand in DIR/classes.txt,
-/// DIR/data.yaml or DIR/labels/classes.txt, or are COCO's, with a warning.
-/// A picture whose label file is empty or missing has nothing in it; bad input names file and line.
+/// Reads DIR/images/SET (empty: all of DIR/images). A picture whose label file is empty or missing has nothing in it;
+/// label files that belong to no picture are told of in one warning; bad input names file and line.
 Result<LabelledSet> ReadLabelledSet(const std::string& folder, const std::string& set);
 
 /// The boxes of one label file.
-Result<std::vector<LabelledBox>> ReadLabelFile(const std::string& path, const std::vector<std::string>& classes);
+Result<std::vector<LabelledBox>> ReadLabelFile(const std::string& path, const LabelForm& form);
 
-/// The classes of a set, by number.
-Result<std::vector<std::string>> ReadClassList(const std::string& folder);
+/// From DIR/classes.txt, DIR/data.yaml, DIR/labels/classes.txt, DIR/labels/SET/classes.txt or the data.yaml of the
+/// folder above, the first that is there; else the classes are COCO's, with a warning.
+Result<LabelForm> ReadLabelForm(const std::string& folder, const std::string& set);
 
 }  // namespace yorb

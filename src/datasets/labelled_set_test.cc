@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/log.h"
 #include "pictures/test_folder.h"
 
 namespace yorb {
@@ -14,10 +15,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Names = std::vector<std::string>;
 
-Result<std::vector<LabelledBox>> Labels(const std::string& text) {
+Result<std::vector<LabelledBox>> Labels(const std::string& text, size_t num_keypoint_numbers = 0) {
+  const LabelForm form{{"person", "", "cup"}, num_keypoint_numbers};
   const TestFolder folder;
   folder.Write("a.txt", text);
-  return ReadLabelFile(folder.Path("a.txt"), {"person", "", "cup"});
+  return ReadLabelFile(folder.Path("a.txt"), form);
 }
 
 TEST(LabelFile, IsReadAsPeopleHaveIt) {
@@ -41,6 +43,21 @@ TEST(LabelFile, PolygonsCountAsTheirBoxAndRepeatedLinesOnce) {
   EXPECT_DOUBLE_EQ((*boxes)[0].bottom, .3);
 }
 
+TEST(LabelFile, KeyPointsBehindABoxAreLeftOut) {
+  const std::string box = "0 0.5 0.25 0.5 0.5";
+  for (const auto& [points, count] : {std::pair(" 0.1 0.1 0.9 0.9", 4), std::pair(" 0.1 0.1 2 0 0 0", 6)}) {
+    const auto boxes = Labels(box + points + "\n" + box + "\n", static_cast<size_t>(count));
+    ASSERT_TRUE(boxes) << boxes.error().message;
+    ASSERT_EQ(boxes->size(), 1u) << "the same box twice";
+    EXPECT_DOUBLE_EQ((*boxes)[0].right, .75);
+  }
+  const TestFolder folder;
+  folder.Write("data.yaml", "names: [person]\nkpt_shape: [17, 3]\n");
+  EXPECT_EQ(ReadLabelForm(folder.Path(), "")->num_keypoint_numbers, 51u);
+  folder.Write("data.yaml", "names: [person]\nkpt_shape: 17\n");
+  EXPECT_THAT(ReadLabelForm(folder.Path(), "").error().message, AllOf(HasSubstr("line 2"), HasSubstr("kpt_shape")));
+}
+
 TEST(LabelFile, AnyOtherLineIsNamed) {
   const std::string good = "0 0.5 0.5 0.1 0.1\n";
   for (const char* bad :
@@ -54,10 +71,13 @@ TEST(LabelFile, AnyOtherLineIsNamed) {
 }
 
 TEST(ClassList, IsReadInItsFourForms) {
-  const auto read = [](const std::string& name, const std::string& text) {
+  const auto read = [](const std::string& name, const std::string& text) -> Result<Names> {
     const TestFolder folder;
-    folder.Write(name, text);
-    return ReadClassList(folder.Path());
+    folder.Write("set/notes.md", "");
+    folder.Write("set/" + name, text);
+    const auto form = ReadLabelForm(folder.Path("set"), "val");
+    if (!form) return form.error();
+    return form->classes;
   };
   const Names wanted{"person", "dining table"};
   EXPECT_EQ(*read("classes.txt",
@@ -77,12 +97,15 @@ TEST(ClassList, IsReadInItsFourForms) {
   EXPECT_EQ(*read("data.yaml", "names : {'1': dining table, '0': person}\n"), wanted);
   EXPECT_EQ(*read("classes.txt", "0: person\n1: dining table\n"), wanted);
   EXPECT_EQ(*read("labels/classes.txt", "person\ndining table\n"), wanted) << "as LabelImg writes it";
+  EXPECT_EQ(*read("labels/val/classes.txt", "person\ndining table\n"), wanted) << "or so";
+  EXPECT_EQ(*read("../data.yaml", "names: [person, dining table]\n"), wanted) << "as Roboflow lays it out";
   EXPECT_EQ(read("unrelated.txt", "")->size(), 80u);
   EXPECT_EQ(*read("classes.txt", "0 person\n2 cup\n"), (Names{"person", "", "cup"}));
   EXPECT_THAT(read("classes.txt", "0 person\n0 cup\n").error().message, HasSubstr("line 2"));
   EXPECT_THAT(read("data.yaml", "nc: 2\nnames: ['a' 'b']\n").error().message, HasSubstr("line 2"));
   EXPECT_THAT(read("data.yaml", "nc: 2\nnames: person\n").error().message, HasSubstr("line 2"));
   EXPECT_THAT(read("data.yaml", "nc: 2\n").error().message, HasSubstr("names"));
+  EXPECT_THAT(read("data.yaml", "names:\n  0: a\n  0: b\n").error().message, HasSubstr("line 3"));
   EXPECT_THAT(read("classes.txt", "").error().message, HasSubstr("classes.txt"));
 }
 
@@ -104,6 +127,25 @@ TEST(LabelledSet, FindsTheLabelsAtTheSamePlace) {
   EXPECT_THAT(ReadLabelledSet(folder.Path(), "train").error().message, HasSubstr("no label file"));
   EXPECT_THAT(ReadLabelledSet(folder.Path("images"), "").error().message, HasSubstr("no folder images"));
   EXPECT_THAT(ReadLabelledSet(folder.Path("gone"), "").error().message, HasSubstr("does not exist"));
+}
+
+TEST(LabelledSet, LabelsThatBelongToNoPictureAreToldOfOnce) {
+  const TestFolder folder;
+  folder.WritePicture("images/val/1.png", TestColour(0));
+  folder.WritePicture("images/val/2.png", TestColour(0));
+  folder.Write("labels/val/1.txt", "0 0.5 0.5 0.1 0.1\n");
+  folder.Write("labels/val/classes.txt", "person\n");
+  const auto told = [&] {
+    EXPECT_TRUE(StartLog({.keeps_text = true}).ok());
+    EXPECT_TRUE(ReadLabelledSet(folder.Path(), "val"));
+    const std::string text = LogText();
+    EXPECT_TRUE(StopLog().ok());
+    return text;
+  };
+  EXPECT_EQ(told(), "");
+  folder.Write("labels/val/2.TXT", "0 0.5 0.5 0.1 0.1\n");
+  folder.Write("labels/val/2.png.txt", "0 0.5 0.5 0.1 0.1\n");
+  EXPECT_THAT(told(), AllOf(HasSubstr("2 label files"), HasSubstr("2.TXT")));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/masked_dataset.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -15,27 +16,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The masks of a folder, by name without ending and, where the name is one, by time stamp.
+/// The masks of a folder, by name without .png and, where that is one, by time stamp.
 struct MaskFolder {
   std::map<std::string, std::string> by_name;
   std::map<Timestamp, std::string> by_time;
 };
 
+bool IsPng(const fs::path& path) { return LowerCase(path.extension().string()) == ".png"; }
+
 MaskFolder ListMasks(const std::string& folder) {
-  MaskFolder masks;
+  std::vector<fs::path> paths;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() != ".png") continue;
-    const std::string name = entry.path().stem().string();
-    masks.by_name[name] = entry.path().string();
-    if (const auto time = ParseTimestamp(name)) masks.by_time[*time] = entry.path().string();
+    if (IsPng(entry.path())) paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());  // where a.png stands beside a.PNG it is the same one on every machine
+  MaskFolder masks;
+  for (const fs::path& path : paths) {
+    const std::string name = path.stem().string();
+    masks.by_name[name] = path.string();
+    if (const auto time = ParseTimestamp(name)) masks.by_time[*time] = path.string();
   }
   return masks;
 }
 
 std::string MaskOf(const MaskFolder& masks, const Dataset& source, size_t i) {
-  const auto by_name = masks.by_name.find(fs::path(source.PictureName(i)).stem().string());
-  if (by_name != masks.by_name.end()) return by_name->second;
+  const fs::path picture(source.PictureName(i));
+  for (const fs::path& name : {picture.filename(), picture.stem()}) {  // COLMAP puts .png behind the whole name
+    const auto by_name = masks.by_name.find(name.string());
+    if (by_name != masks.by_name.end()) return by_name->second;
+  }
   const auto by_time = masks.by_time.find(source.TimeOf(i));
   return by_time == masks.by_time.end() ? std::string() : by_time->second;
 }

@@ -14,9 +14,9 @@ namespace yorb {
 /// A recording with the user's own masks: what is not 0 in them is not to be used.
 class MaskedDataset : public Dataset {
  public:
-  /// `masks`: one PNG for all frames, or a folder of PNGs that are named as the colour pictures or by their time
-  /// stamps. Bad input where it is missing, or no mask of the folder belongs to a frame; frames without one are counted
-  /// in a warning. `source` must live longer.
+  /// `masks`: one PNG for all frames, or a folder of PNGs that are named as the colour pictures (a.png or a.jpg.png
+  /// for a.jpg) or by their time stamps. Bad input where it is missing, or no mask of the folder belongs to a frame;
+  /// frames without one are counted in a warning. `source` must live longer.
   static Result<std::unique_ptr<MaskedDataset>> Open(const Dataset& source, const std::string& masks);
 
   size_t size() const override { return source_.size(); }

@@ -59,6 +59,15 @@ TEST_F(MaskedDatasetTest, MasksAreFoundByNameAndByTimeStamp) {
   }
 }
 
+TEST_F(MaskedDatasetTest, EndingsInCapitalsAndBehindTheWholeNameAreFound) {
+  WriteMask("picture0.jpg.png", LeftHalf());
+  WriteMask("picture0.png", cv::Mat(30, 40, CV_8UC1, cv::Scalar(0)));
+  WriteMask("picture1.PNG", LeftHalf());
+  const auto masked = MaskedDataset::Open(source_, folder_.Path(""));
+  ASSERT_TRUE(masked.ok()) << masked.error().message;
+  for (size_t i = 0; i < 2; ++i) EXPECT_EQ(cv::countNonZero((*masked)->Load(i)->images->ignored), 20 * 30) << i;
+}
+
 TEST_F(MaskedDatasetTest, OneFileServesAllFrames) {
   WriteMask("robot.png", LeftHalf(CV_16UC1));
   const auto masked = MaskedDataset::Open(source_, folder_.Path("robot.png"));

@@ -137,11 +137,15 @@ Status CheckStamps(const PictureList& list) {
     return BadInput(list.file + ": time stamps are " + FormatShortest(step) +
                     " apart (median), which is no camera's rate in seconds; write seconds");
   }
-  if (step > kStrangeStep) {
-    LogWarning("stamps", list.file + ": time stamps are " + FormatShortest(step) +
-                             " s apart (median); if they are frame numbers, write seconds");
-  }
+  if (const std::string strange = StrangeStamps(list); !strange.empty()) LogWarning("stamps", strange);
   return Status::Ok();
+}
+
+std::string StrangeStamps(const PictureList& list) {
+  const double step = MedianStep(list.Times());
+  if (step <= kStrangeStep) return "";
+  return list.file + ": time stamps are " + FormatShortest(step) +
+         " s apart (median); if they are frame numbers, write seconds";
 }
 
 }  // namespace yorb

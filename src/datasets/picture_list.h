@@ -32,8 +32,12 @@ struct PictureList {
 /// and stand in quotes. Bad input names file and line.
 Result<PictureList> ReadPictureList(const std::string& path);
 
-/// Bad input where stamps go back or repeat (with file and line), or count something else than seconds.
+/// Bad input where stamps go back or repeat (with file and line), or count something else than seconds; a warning where
+/// they may.
 Status CheckStamps(const PictureList& list);
+
+/// What speaks for stamps that count frames: steps of half a second and more; empty where nothing does.
+std::string StrangeStamps(const PictureList& list);
 
 /// Reads a time stamp of a list line; the complaint tells counts of nanoseconds and decimal commas from rubbish.
 Result<Timestamp> ReadStamp(std::string_view text, const std::string& where);

@@ -72,10 +72,18 @@ void SortByTime(PictureList& list) {
   std::stable_sort(list.pictures.begin(), list.pictures.end(), earlier);
 }
 
+Error NoDepthList(const std::string& folder) {
+  return BadInput(
+      In(folder, "depth.txt") +
+      " does not exist, and yorb needs depth (it is RGB-D): depth.txt names the depth pictures (16-bit PNG) "
+      "as rgb.txt does the colour ones, a line each, such as '1305031102.160407 depth/1305031102.160407.png'");
+}
+
 Result<TumLists> FromTwoLists(const std::string& folder) {
   auto colour = ReadPictureList(In(folder, "rgb.txt"));
   if (!colour) return colour.error();
   if (const Status stamps = CheckStamps(*colour); !stamps) return stamps.error();
+  if (!Exists(In(folder, "depth.txt"))) return NoDepthList(folder);
   auto depth = ReadPictureList(In(folder, "depth.txt"));
   if (!depth) return depth.error();
   SortByTime(*depth);

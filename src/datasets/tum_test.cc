@@ -120,7 +120,7 @@ TEST_F(Recording, MissingFilesAreFoundBeforehand) {
   fs::remove(folder_.Path("seq/depth/1.png"));
   EXPECT_THAT(Complaint(), HasSubstr("depth/1.png"));
   fs::remove(folder_.Path("seq/depth.txt"));
-  EXPECT_THAT(Complaint(), HasSubstr("depth.txt"));
+  EXPECT_THAT(Complaint(), HasSubstr("depth.txt does not exist, and yorb needs depth"));
 }
 
 TEST_F(Recording, WithoutAnyPairNamesBothRanges) {

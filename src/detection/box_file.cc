@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "core/text.h"
@@ -30,7 +31,10 @@ void Add(const Box& box, TimedBoxes& moment, BoxFile& file) {
 
 /// Lines of one moment may be many (people.txt); they become one.
 void Add(TimedBoxes moment, BoxFile& file) {
-  if (!file.moments.empty() && file.moments.back().time == moment.time) {
+  const auto is_same = [&](const TimedBoxes& last) {
+    return last.time == moment.time && last.width == moment.width && last.height == moment.height;
+  };
+  if (!file.moments.empty() && is_same(file.moments.back())) {
     auto& boxes = file.moments.back().boxes;
     boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
   } else {
@@ -109,6 +113,14 @@ std::optional<Timestamp> TimeOf(const Json& object) {
   return found->is_number() ? ParseTimestamp(FormatShortest(found->get<double>())) : std::nullopt;
 }
 
+/// Of the picture; 0 where it is not said.
+std::pair<int, int> SizeOf(const Json& object) {
+  constexpr double kMost = 1e6;
+  const double width = NumberOf(object, "width", 0), height = NumberOf(object, "height", 0);
+  const bool is_size = width >= 1 && width <= kMost && height >= 1 && height <= kMost;
+  return is_size ? std::pair(static_cast<int>(width), static_cast<int>(height)) : std::pair(0, 0);
+}
+
 Status ReadJsonLines(const TextFile& text, BoxFile& file) {
   for (const TextLine& line : text.lines) {
     const Json json = Json::parse(line.text, nullptr, false);
@@ -125,6 +137,7 @@ Status ReadJsonLines(const TextFile& text, BoxFile& file) {
     if (!list.is_array() || (list.empty() && !json.contains("boxes") && !json.contains("detections")))
       return BadInput(text.Where(line) + ": has no list of boxes");
     TimedBoxes moment{*time, {}, line.number};
+    if (!is_flat) std::tie(moment.width, moment.height) = SizeOf(json);
     for (const Json& entry : list) {
       Box box;
       const std::string fault = ReadBox(entry, box);

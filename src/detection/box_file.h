@@ -16,7 +16,8 @@ namespace yorb {
 struct TimedBoxes {
   Timestamp time;
   std::vector<Box> boxes;
-  int line = 0;  ///< of the file
+  int line = 0;               ///< of the file
+  int width = 0, height = 0;  ///< of the picture that the boxes were found in, in pixels; 0: not said
 };
 
 /// Boxes that were found before: by another program, or by whoever knows the truth.
@@ -28,7 +29,8 @@ struct BoxFile {
 };
 
 /// Reads people.txt (`timestamp left top right bottom visible_px`, all persons) or JSON lines, told apart by the first
-/// line. Bad input names file and line. Boxes that all look like fractions of the picture are bad input, too.
+/// line. Bad input names file and line. JSON lines may say `width` and `height` of their picture. Boxes that all look
+/// like fractions of the picture are bad input, too.
 Result<BoxFile> ReadBoxFile(const std::string& path);
 
 /// A moment as a JSON line, `{"timestamp": ..., "boxes": [...]}`, without a line end. `time`, `image`, `width` and

@@ -131,6 +131,25 @@ TEST(FileDetector, BoxesOutsideOfThePictureAreToldOfOnce) {
   EXPECT_TRUE(StopLog().ok());
 }
 
+TEST(FileDetector, BoxesOfAPictureOfAnotherSizeAreScaled) {
+  const auto boxes_of = [](const std::string& size) {
+    const auto file =
+        Read("{\"timestamp\": 1, " + size + "\"boxes\": [{\"name\": \"person\", \"box\": [10, 20, 30, 40]}]}\n");
+    return (*FileDetector::Make(*file, {At("1")}))->Detect(FrameAt(At("1")));
+  };
+  for (const char* same :
+       {"", "\"width\": 640, \"height\": 480, ", "\"width\": 320, ", "\"width\": -1, \"height\": 2, "}) {
+    EXPECT_EQ(boxes_of(same)->boxes.at(0).right, 30) << same;
+  }
+  const auto half = boxes_of("\"width\": 320, \"height\": 240, ");
+  EXPECT_EQ(half->boxes.at(0).left, 20);
+  EXPECT_EQ(half->boxes.at(0).bottom, 80);
+  const auto wide = boxes_of("\"width\": 1920, \"height\": 1080, ");
+  ASSERT_FALSE(wide);
+  EXPECT_THAT(wide.error().message,
+              AllOf(HasSubstr("boxes.txt, line 1"), HasSubstr("1920x1080"), HasSubstr("640x480")));
+}
+
 TEST(FileDetector, AFileOfAnotherRecordingIsRefused) {
   const auto detector = FileDetector::Make(*Read("100 10 20 30 40 1\n"), {At("1"), At("2")});
   ASSERT_FALSE(detector);

@@ -4,11 +4,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/text.h"
 
 namespace yorb {
 namespace {
 
 constexpr int kObjectness = 4;  // its place among the values of an anchor
+
+/// What the scores of a network are, whether or not they make a box.
+class ScoreRange {
+ public:
+  void See(float score) {
+    has_none_ |= std::isnan(score);
+    least_ = std::min(least_, score), most_ = std::max(most_, score);
+  }
+
+  /// Bad input where they are no probabilities. Quantised ones may be a little beside them.
+  Status Check() const {
+    constexpr float kOff = .01f;
+    if (has_none_) return BadInput("gives scores that are no numbers (NaN); export it in 32 bits");
+    if (least_ >= -kOff && most_ <= 1 + kOff) return Status::Ok();
+    return BadInput("gives scores from " + FormatFixed(least_, 2) + " to " + FormatFixed(most_, 2) +
+                    ", which are no probabilities; export it with the sigmoid");
+  }
+
+ private:
+  float least_ = 0, most_ = 1;
+  bool has_none_ = false;
+};
+
+/// Boxes, and the scores that were met on the way.
+struct Decoded {
+  std::vector<RawBox> boxes;
+  ScoreRange scores;
+};
 
 float Sigmoid(float x) { return 1.f / (1.f + std::exp(-x)); }
 
@@ -31,50 +62,58 @@ bool IsSound(const RawBox& box) {
 
 /// Adds a box for the best class, or for every class, whose score times `factor` reaches the confidence.
 template <typename Score>
-void AddClasses(RawBox box, int num_classes, const DecodeOptions& options, const Score& score,
-                std::vector<RawBox>& boxes) {
+void AddClasses(RawBox box, int num_classes, const DecodeOptions& options, const Score& score, Decoded& found) {
   const auto least = static_cast<float>(options.confidence);
-  RawBox best = box;
-  best.confidence = -1;
+  const auto add = [&](int label, float confidence) {
+    box.confidence = std::min(confidence, 1.f), box.label = label;
+    found.boxes.push_back(box);
+  };
+  int best = 0;
+  float most = score(0);
   for (int label = 0; label < num_classes; ++label) {
-    box.confidence = std::min(score(label), 1.f);
-    box.label = label;
-    if (options.takes_all_classes && box.confidence >= least) boxes.push_back(box);
-    if (box.confidence > best.confidence) best = box;
+    const float confidence = score(label);
+    if (options.takes_all_classes && confidence >= least) add(label, confidence);
+    if (confidence > most) most = confidence, best = label;
   }
-  if (!options.takes_all_classes && best.confidence >= least) boxes.push_back(best);
+  found.scores.See(most);
+  if (!options.takes_all_classes && most >= least) add(best, most);
 }
 
 /// Rows or columns of centre, size, objectness where there is one, classes.
-void DecodeCentres(const TensorView& output, const HeadLayout& layout, const DecodeOptions& options,
-                   std::vector<RawBox>& boxes) {
+void DecodeCentres(const TensorView& output, const HeadLayout& layout, const DecodeOptions& options, Decoded& found) {
   const bool has_objectness = layout.kind == LayoutKind::kAnchorRows;
   const int64_t count = output.dims[has_objectness ? 1 : 2];
   const int64_t step = output.strides[has_objectness ? 1 : 2], value_step = output.strides[has_objectness ? 2 : 1];
   for (int64_t i = 0; i < count; ++i) {
     const float* at = output.data + i * step;
-    const float objectness = has_objectness ? at[4 * value_step] : 1.f;
+    const float objectness = has_objectness ? at[kObjectness * value_step] : 1.f;
+    found.scores.See(objectness);
     if (!(objectness >= static_cast<float>(options.confidence))) continue;
     const RawBox box = FromCentre(at[0], at[value_step], at[2 * value_step], at[3 * value_step]);
-    if (!IsSound(box)) continue;
     const Scores scores{at + (has_objectness ? 5 : 4) * value_step, value_step, layout.num_classes};
+    if (!IsSound(box)) {
+      found.scores.See(scores[0]);
+      continue;
+    }
     AddClasses(
-        box, layout.num_classes, options, [&](int label) { return scores[label] * objectness; }, boxes);
+        box, layout.num_classes, options, [&](int label) { return scores[label] * objectness; }, found);
   }
 }
 
-/// Rows of corners, confidence, class number.
-void DecodeCorners(const TensorView& output, const HeadLayout& layout, const DecodeOptions& options,
-                   std::vector<RawBox>& boxes) {
+/// Rows of corners, confidence, class number; where there are fewer boxes than rows, some exports fill up with -1.
+void DecodeCorners(const TensorView& output, const HeadLayout& layout, const DecodeOptions& options, Decoded& found) {
   constexpr float kMostClasses = 1 << 20;
   for (int64_t i = 0; i < output.dims[1]; ++i) {
     const auto value = [&](int64_t k) { return output.At(0, i, k); };
-    RawBox box{value(0), value(1), value(2), value(3), std::min(value(4), 1.f), 0};
-    if (!(value(4) >= static_cast<float>(options.confidence)) || !IsSound(box)) continue;
-    if (!(value(5) >= 0 && value(5) < kMostClasses)) continue;
-    box.label = static_cast<int>(std::lround(value(5)));
+    const float confidence = value(4), label = value(5);
+    if (confidence == -1 || label < 0) continue;
+    found.scores.See(confidence);
+    RawBox box{value(0), value(1), value(2), value(3), std::min(confidence, 1.f), 0};
+    if (!(confidence >= static_cast<float>(options.confidence)) || !IsSound(box)) continue;
+    if (!(label < kMostClasses)) continue;
+    box.label = static_cast<int>(std::lround(label));
     if (layout.num_classes > 0 && box.label >= layout.num_classes) continue;
-    boxes.push_back(box);
+    found.boxes.push_back(box);
   }
 }
 
@@ -94,14 +133,16 @@ class MapDecoder {
     least_ = LeastObjectness(options);
   }
 
-  void Decode(int num_classes, const float* anchors, std::vector<RawBox>& boxes) const {
+  void Decode(int num_classes, const float* anchors, Decoded& found) const {
     for (int anchor = 0; anchor < kAnchors; ++anchor) {
       for (int y = 0; y < map_.height; ++y) {
         const float* row = output_.data + anchor * anchor_step_ + y * Step(map_.y_axis);
         for (int x = 0; x < map_.width; ++x) {
           const float* at = row + x * Step(map_.x_axis);
-          if (!(at[kObjectness * value_step_] >= least_)) continue;
-          Add(at, BoxAt(at, x, y, anchors + 2 * anchor), num_classes, boxes);
+          const float objectness = at[kObjectness * value_step_];
+          if (std::isnan(objectness)) found.scores.See(objectness);
+          if (!(objectness >= least_)) continue;
+          Add(at, BoxAt(at, x, y, anchors + 2 * anchor), num_classes, found);
         }
       }
     }
@@ -121,11 +162,11 @@ class MapDecoder {
                       sized(3, anchor[1]));
   }
 
-  void Add(const float* at, const RawBox& box, int num_classes, std::vector<RawBox>& boxes) const {
+  void Add(const float* at, const RawBox& box, int num_classes, Decoded& found) const {
     if (!IsSound(box)) return;
     const float objectness = Value(at, kObjectness);
     AddClasses(
-        box, num_classes, options_, [&](int label) { return Value(at, 5 + label) * objectness; }, boxes);
+        box, num_classes, options_, [&](int label) { return Value(at, 5 + label) * objectness; }, found);
   }
 
   const TensorView& output_;
@@ -142,26 +183,37 @@ const std::vector<float>& StandardAnchors() {
   return anchors;
 }
 
-std::vector<RawBox> DecodeBoxes(const std::vector<TensorView>& outputs, const HeadLayout& layout,
-                                const DecodeOptions& options) {
-  std::vector<RawBox> boxes;
+Result<std::vector<RawBox>> DecodeBoxes(const std::vector<TensorView>& outputs, const HeadLayout& layout,
+                                        const DecodeOptions& options) {
+  Decoded found;
   switch (layout.kind) {
     case LayoutKind::kAnchorRows:
     case LayoutKind::kCentreColumns:
-      DecodeCentres(outputs[layout.output], layout, options, boxes);
+      DecodeCentres(outputs[layout.output], layout, options, found);
       break;
     case LayoutKind::kCornerRows:
-      DecodeCorners(outputs[layout.output], layout, options, boxes);
+      DecodeCorners(outputs[layout.output], layout, options, found);
       break;
     case LayoutKind::kRawMaps:
       for (size_t i = 0; i < layout.maps.size(); ++i) {
         const RawMap& map = layout.maps[i];
         const MapDecoder decoder(outputs[map.output], map, options);
-        decoder.Decode(layout.num_classes, options.anchors.data() + 2 * kAnchors * i, boxes);
+        decoder.Decode(layout.num_classes, options.anchors.data() + 2 * kAnchors * i, found);
       }
       break;
   }
-  return boxes;
+  if (Status status = found.scores.Check(); !status) return status.error();
+  return std::move(found.boxes);
+}
+
+bool LookLikeFractions(const std::vector<RawBox>& boxes) {
+  constexpr float kReach = 1.5f;  // px: fractions go a little beyond the edges of the picture, too
+  const auto is_in_corner = [](const RawBox& box) {
+    return std::abs(box.left) < kReach && std::abs(box.top) < kReach && std::abs(box.right) < kReach &&
+           std::abs(box.bottom) < kReach && box.right - box.left < kReach && box.bottom - box.top < kReach;
+  };
+  const auto has_area = [](const RawBox& box) { return box.right > box.left && box.bottom > box.top; };
+  return std::all_of(boxes.begin(), boxes.end(), is_in_corner) && std::any_of(boxes.begin(), boxes.end(), has_area);
 }
 
 ObjectnessRead ObjectnessOf(int64_t num_channels, const DecodeOptions& options) {
@@ -176,6 +228,7 @@ bool HaveClassNumbers(const TensorView& rows) {
   constexpr float kOff = 1e-3f;
   for (int64_t i = 0; i < rows.dims[1]; ++i) {
     const float label = rows.At(0, i, 5);
+    if (std::isnan(rows.At(0, i, 4))) continue;  // no number at all, which is said when it is decoded
     if (!(std::abs(label - std::round(label)) <= kOff)) return false;
   }
   return true;

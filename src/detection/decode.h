@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/result.h"
 #include "detection/engine.h"
 #include "detection/head_layout.h"
 #include "detection/nms.h"
@@ -21,9 +22,14 @@ struct DecodeOptions {
 /// YOLOv5's anchors for the strides 8, 16 and 32, px.
 const std::vector<float>& StandardAnchors();
 
-/// The boxes that the outputs of a network hold, doubles included, in pixels of the network's input.
-std::vector<RawBox> DecodeBoxes(const std::vector<TensorView>& outputs, const HeadLayout& layout,
-                                const DecodeOptions& options);
+/// The boxes that the outputs of a network hold, doubles included, in pixels of the network's input. Bad input, in
+/// words that follow the file's name, where scores are no numbers or no probabilities.
+Result<std::vector<RawBox>> DecodeBoxes(const std::vector<TensorView>& outputs, const HeadLayout& layout,
+                                        const DecodeOptions& options);
+
+/// Whether boxes of rows seem to be fractions of the picture in place of pixels: none reaches out of the top left
+/// corner.
+bool LookLikeFractions(const std::vector<RawBox>& boxes);
 
 /// Of raw maps whose anchors and values share an axis: the channels of objectness, and the number from which on a cell
 /// is looked at. All else in the other cells is not read.

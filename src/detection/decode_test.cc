@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "detection/decode.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,11 +31,23 @@ HeadLayout LayoutOf(const std::vector<Tensor>& tensors, int num_names, int width
   return *RecogniseLayout(facts);
 }
 
-std::vector<RawBox> Decode(const std::vector<Tensor>& tensors, int num_names, const DecodeOptions& options,
-                           int width = 64, int height = 64) {
+Result<std::vector<RawBox>> TryToDecode(const std::vector<Tensor>& tensors, int num_names, const DecodeOptions& options,
+                                        int width = 64, int height = 64) {
   std::vector<TensorView> views;
   for (const Tensor& tensor : tensors) views.push_back(tensor.View());
   return DecodeBoxes(views, LayoutOf(tensors, num_names, width, height), options);
+}
+
+std::vector<RawBox> Decode(const std::vector<Tensor>& tensors, int num_names, const DecodeOptions& options,
+                           int width = 64, int height = 64) {
+  const auto boxes = TryToDecode(tensors, num_names, options, width, height);
+  EXPECT_TRUE(boxes) << boxes.error().message;
+  return boxes ? *boxes : std::vector<RawBox>();
+}
+
+std::string Complaint(const Tensor& tensor, const DecodeOptions& options = {}) {
+  const auto boxes = TryToDecode({tensor}, 2, options);
+  return boxes ? "" : boxes.error().message;
 }
 
 void ExpectBox(const RawBox& box, const RawBox& wanted) {
@@ -88,12 +101,77 @@ TEST(Decode, ClassNumbersAreWhole) {
   EXPECT_FALSE(HaveClassNumbers(rows.View()));
 }
 
-TEST(Decode, NumbersThatAreNoneAreLeftOut) {
+TEST(Decode, PlacesThatAreNoNumbersAreLeftOut) {
   Tensor rows({1, 252, 7});
-  for (size_t i = 0; i < 7; ++i) rows.numbers[i] = NAN;
-  const float row[] = {30, INFINITY, 10, 8, 0.8f, 0.1f, 0.9f};
-  std::copy(row, row + 7, rows.numbers.begin() + 7);
+  const float nowhere[] = {30, INFINITY, 10, 8, 0.8f, 0.1f, 0.9f}, none[] = {NAN, 20, 10, 8, 0.8f, 0.1f, 0.9f};
+  std::copy(nowhere, nowhere + 7, rows.numbers.begin());
+  std::copy(none, none + 7, rows.numbers.begin() + 7);
   EXPECT_TRUE(Decode({rows}, 2, {}).empty());
+}
+
+constexpr const char *kNoNumbers = "no numbers", *kNoProbabilities = "no probabilities";
+
+TEST(Decode, ObjectnessThatIsNoProbabilityIsRefused) {
+  for (const auto& [score, complaint] :
+       {std::pair(NAN, kNoNumbers), std::pair(-6.f, kNoProbabilities), std::pair(1.02f, kNoProbabilities)}) {
+    Tensor rows({1, 252, 7});
+    rows.numbers[7 * 100 + 4] = score;
+    EXPECT_THAT(Complaint(rows), testing::HasSubstr(complaint)) << score;
+  }
+  Tensor rows({1, 252, 7});
+  const float row[] = {30, 20, 10, 8, 0.9f, -7, -6};  // the classes alone are logits
+  std::copy(row, row + 7, rows.numbers.begin() + 7 * 100);
+  EXPECT_THAT(Complaint(rows), testing::HasSubstr(kNoProbabilities));
+}
+
+TEST(Decode, ClassScoresThatAreNoProbabilitiesAreRefused) {
+  DecodeOptions all;
+  all.takes_all_classes = true;
+  const auto expect = [&](float person, float cup, const char* complaint) {
+    Tensor columns({1, 6, 84});
+    columns.numbers[4 * 84 + 50] = person, columns.numbers[5 * 84 + 50] = cup;
+    EXPECT_THAT(Complaint(columns), testing::HasSubstr(complaint)) << person << " " << cup;
+    EXPECT_THAT(Complaint(columns, all), testing::HasSubstr(complaint)) << person << " " << cup;
+    columns.numbers[50] = NAN;  // no place, either
+    EXPECT_THAT(Complaint(columns), testing::HasSubstr(complaint)) << person << " " << cup;
+  };
+  expect(NAN, NAN, kNoNumbers);
+  expect(-6, -5, kNoProbabilities);
+  expect(254, 0, kNoProbabilities);
+}
+
+TEST(Decode, EndToEndConfidencesThatAreNoProbabilitiesAreRefused) {
+  for (const auto& [score, complaint] :
+       {std::pair(NAN, kNoNumbers), std::pair(-6.f, kNoProbabilities), std::pair(254.f, kNoProbabilities)}) {
+    Tensor rows({1, 300, 6});
+    rows.numbers[6 * 7 + 4] = score;
+    EXPECT_THAT(Complaint(rows), testing::HasSubstr(complaint)) << score;
+  }
+  Tensor filled({1, 300, 6});
+  std::fill(filled.numbers.begin() + 60, filled.numbers.end(), -1.f);
+  EXPECT_EQ(Complaint(filled), "") << "some exports fill up with -1";
+  Tensor none({1, 300, 6});
+  std::fill(none.numbers.begin(), none.numbers.end(), NAN);
+  EXPECT_TRUE(HaveClassNumbers(none.View())) << "that they are no numbers says more";
+}
+
+TEST(Decode, ScoresALittleBesideTheirRangeAreFine) {
+  Tensor columns({1, 6, 84});
+  const float column[] = {30, 20, 10, 8, 1.0000001f, 0.6f};
+  for (size_t k = 0; k < 6; ++k) columns.numbers[k * 84 + 50] = column[k];
+  columns.numbers[4 * 84] = columns.numbers[5 * 84] = -0.004f;
+  const auto boxes = Decode({columns}, 2, {});
+  ASSERT_EQ(boxes.size(), 1u);
+  EXPECT_EQ(boxes[0].confidence, 1);
+}
+
+TEST(Decode, BoxesWithinOnePixelLookLikeFractions) {
+  const RawBox fraction{.1f, -.05f, .4f, 1.02f, .9f, 0}, box{8, 16, 16, 24, .9f, 0}, empty{0, 0, 0, 0, .9f, 0};
+  EXPECT_TRUE(LookLikeFractions({fraction, empty}));
+  EXPECT_FALSE(LookLikeFractions({fraction, box}));
+  EXPECT_FALSE(LookLikeFractions({{-.5f, 0, 1.2f, 1, .9f, 0}})) << "wider than the picture";
+  EXPECT_FALSE(LookLikeFractions({empty}));
+  EXPECT_FALSE(LookLikeFractions({}));
 }
 
 /// Raw maps of 2 classes for 64x32 px, filled by chance; index(anchor, value, y, x).
@@ -164,6 +242,9 @@ TEST(Decode, RawMapsOfAnyShapeAndOrderGiveTheSameAsTheFormula) {
     for (size_t i = 0; i < boxes.size(); ++i) ExpectBox(boxes[i], wanted[i]);
   };
   expect(maps, true);
+  std::vector<Tensor> broken = maps;
+  broken[1].numbers[4 * 8] = NAN;  // an objectness
+  EXPECT_FALSE(TryToDecode(broken, 2, options, 64, 32));
   expect({maps[2], maps[0], maps[1]}, true);
   expect(sigmoids, false);
   expect(anchors_first, true);

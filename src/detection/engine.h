@@ -51,6 +51,9 @@ struct EngineInput {
   int batch = 1, channels = 3, width = 0, height = 0;
 };
 
+/// Stands in the error of an engine where OpenCV would run the network and give other numbers than its file means.
+inline constexpr const char* kNorByOpenCv = ", nor by OpenCV";
+
 /// Dense strides of a tensor whose last axis is next to itself.
 std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims);
 

@@ -11,7 +11,8 @@
 namespace yorb {
 namespace {
 
-constexpr double kMostApart = 0.015;  // seconds between a box and its frame
+constexpr double kMostApart = 0.015;   // seconds between a box and its frame
+constexpr double kMostStretch = 0.02;  // of one side against the other, as rounding leaves it
 
 /// The frame nearest to a moment; nothing where none is near enough.
 const Timestamp* NearestFrame(Timestamp time, const std::vector<Timestamp>& frames) {
@@ -52,8 +53,7 @@ Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, co
       continue;
     }
     ++num_matched;
-    auto& boxes = detector->by_frame_[*frame];
-    boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
+    detector->by_frame_[*frame].push_back(moment);
   }
   if (num_matched == 0 && !file.moments.empty()) return NoneFits(file, frames);
   if (detector->num_unmatched_ > 0) {
@@ -64,20 +64,35 @@ Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, co
     LogWarning("boxes-dropped", file.path + ": " + std::to_string(file.num_dropped) +
                                     " boxes are empty, swapped or no numbers and are left out");
   }
-  for (auto& [time, boxes] : detector->by_frame_) {
-    std::stable_sort(boxes.begin(), boxes.end(),
-                     [](const Box& a, const Box& b) { return a.confidence > b.confidence; });
-  }
   return detector;
+}
+
+Status FileDetector::Scale(TimedBoxes& moment, int width, int height) {
+  if (moment.width == 0 || (moment.width == width && moment.height == height)) return Status::Ok();
+  const double x = static_cast<double>(width) / moment.width, y = static_cast<double>(height) / moment.height;
+  const std::string sizes = path_ + ", line " + std::to_string(moment.line) + ": boxes of a picture of " +
+                            std::to_string(moment.width) + "x" + std::to_string(moment.height) + " pixels for one of " +
+                            std::to_string(width) + "x" + std::to_string(height);
+  if (std::abs(x / y - 1) > kMostStretch)
+    return BadInput(sizes + "; find them anew in these pictures, or leave width and height out of the file");
+  if (!has_told_of_size_) LogWarning("boxes-scaled", sizes + "; such boxes are scaled");
+  has_told_of_size_ = true;
+  for (Box& box : moment.boxes) box.left *= x, box.right *= x, box.top *= y, box.bottom *= y;
+  return Status::Ok();
 }
 
 Result<Detections> FileDetector::Detect(const ImageSet& images) {
   const auto found = by_frame_.find(images.timestamp);
   Detections detections;
   detections.has_looked = names_all_ || found != by_frame_.end();
-  detections.says_nobody = detections.has_looked && (found == by_frame_.end() || found->second.empty());
-  if (found == by_frame_.end()) return detections;
-  for (const Box& whole : found->second) {
+  std::vector<Box> boxes;
+  for (TimedBoxes moment : found == by_frame_.end() ? std::vector<TimedBoxes>() : found->second) {
+    if (const Status scaled = Scale(moment, images.grey.cols, images.grey.rows); !scaled) return scaled.error();
+    boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
+  }
+  std::stable_sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.confidence > b.confidence; });
+  detections.says_nobody = detections.has_looked && boxes.empty();
+  for (const Box& whole : boxes) {
     const Box box = Cut(whole, images.grey.cols, images.grey.rows);
     if (HasArea(box)) {
       detections.boxes.push_back(box);

@@ -19,17 +19,20 @@ class FileDetector : public Detector {
   /// Moments that fit no frame are counted in one warning; bad input where none of several fits.
   static Result<std::unique_ptr<FileDetector>> Make(const BoxFile& file, const std::vector<Timestamp>& frames);
 
+  /// Boxes that were found in a picture of another size are scaled, with a warning; bad input where its sides are in
+  /// another proportion.
   Result<Detections> Detect(const ImageSet& images) override;
 
   size_t num_unmatched() const { return num_unmatched_; }  ///< boxes that fit no frame
 
  private:
   FileDetector() = default;
+  Status Scale(TimedBoxes& moment, int width, int height);
 
   std::string path_;
-  std::map<Timestamp, std::vector<Box>> by_frame_;
+  std::map<Timestamp, std::vector<TimedBoxes>> by_frame_;
   bool names_all_ = false;
-  bool has_told_of_outside_ = false;
+  bool has_told_of_outside_ = false, has_told_of_size_ = false;
   size_t num_unmatched_ = 0;
 };
 

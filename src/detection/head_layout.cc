@@ -122,6 +122,33 @@ std::optional<HeadLayout> FromMaps(const HeadFacts& facts, bool are_values_last)
   return layout;
 }
 
+std::optional<HeadLayout> FindLayout(const HeadFacts& facts) {
+  for (size_t i = 0; i < facts.shapes.size(); ++i) {
+    if (const auto layout = FromRows(i, facts)) return layout;
+  }
+  for (const bool are_values_last : {true, false}) {
+    if (const auto layout = FromMaps(facts, are_values_last)) return layout;
+  }
+  return std::nullopt;
+}
+
+/// "1 class name", "2 class names".
+std::string Counted(int count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// The complaint about a list of names that somebody wrote beside a network which is fine without it.
+std::optional<Error> MisfitOfNames(const HeadFacts& facts, const std::string& shapes) {
+  if (facts.names_file.empty()) return std::nullopt;
+  HeadFacts nameless = facts;
+  nameless.num_names = 0;
+  const auto layout = FindLayout(nameless);
+  if (!layout || layout->num_classes == 0) return std::nullopt;
+  return BadInput("does not fit " + facts.names_file + ", which has " + Counted(facts.num_names, "class name") +
+                  ": its outputs, " + shapes + ", are of " + std::to_string(layout->num_classes) +
+                  (layout->num_classes == 1 ? " class" : " classes") + "; write a line for each class");
+}
+
 }  // namespace
 
 std::string ShapeText(const Shape& dims) {
@@ -131,16 +158,13 @@ std::string ShapeText(const Shape& dims) {
 }
 
 Result<HeadLayout> RecogniseLayout(const HeadFacts& facts) {
-  for (size_t i = 0; i < facts.shapes.size(); ++i) {
-    if (const auto layout = FromRows(i, facts)) return *layout;
-  }
-  for (const bool are_values_last : {true, false}) {
-    if (const auto layout = FromMaps(facts, are_values_last)) return *layout;
-  }
+  if (const auto layout = FindLayout(facts)) return *layout;
   std::string shapes;
   for (size_t i = 0; i < std::min<size_t>(facts.shapes.size(), 6); ++i)
     shapes += (i > 0 ? ", " : "") + ShapeText(facts.shapes[i]);
-  const std::string names = facts.num_names > 0 ? " and " + std::to_string(facts.num_names) + " class names" : "";
+  if (const auto misfit = MisfitOfNames(facts, shapes)) return *misfit;
+  std::string names = facts.num_names > 0 ? " and " + Counted(facts.num_names, "class name") : "";
+  if (facts.num_names > 0 && !facts.names_file.empty()) names += " in " + facts.names_file;
   return BadInput("is no detector that is read: its outputs are " + shapes + " for an input of " +
                   std::to_string(facts.width) + "x" + std::to_string(facts.height) + names +
                   "; YOLOv5's (1, N, 5+C), YOLOv8's (1, 4+C, N), three raw maps and end-to-end (1, K, 6) are");

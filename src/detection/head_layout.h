@@ -42,6 +42,7 @@ struct HeadFacts {
   int width = 0, height = 0;    ///< of the input, px
   int num_names = 0;            ///< 0: the file carries none
   int num_keypoint_values = 0;  ///< numbers behind the classes of a pose network; 0: it is none
+  std::string names_file;       ///< where the names stand in a file beside the network's
 };
 
 /// "(1, 84, 8400)".

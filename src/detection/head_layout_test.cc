@@ -89,5 +89,19 @@ TEST(HeadLayout, AllElseIsRefusedWithItsShapes) {
   }
 }
 
+TEST(HeadLayout, AListOfNamesThatDoesNotFitIsNamedWithItsNumber) {
+  HeadFacts facts = Facts({{1, 6, 84}}, 1);
+  EXPECT_THAT(RecogniseLayout(facts).error().message, testing::HasSubstr("64x64 and 1 class name;"));
+  facts.names_file = "a/net.names";
+  EXPECT_THAT(RecogniseLayout(facts).error().message,
+              testing::AllOf(testing::HasSubstr("does not fit a/net.names, which has 1 class name:"),
+                             testing::HasSubstr("(1, 6, 84)"), testing::HasSubstr("2 classes")));
+  facts.num_names = 3;
+  EXPECT_THAT(RecogniseLayout(facts).error().message, testing::HasSubstr("3 class names"));
+  facts.shapes = {{1, 1000}};
+  EXPECT_THAT(RecogniseLayout(facts).error().message,
+              testing::AllOf(testing::HasSubstr("no detector"), testing::HasSubstr("3 class names in a/net.names")));
+}
+
 }  // namespace
 }  // namespace yorb

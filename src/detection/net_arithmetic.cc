@@ -116,6 +116,19 @@ float LimitOf(const NetNode& node, const char* name, size_t input, float otherwi
   return node.Has(input) && node.inputs[input].is_constant ? NumbersOf(node.inputs[input])[0] : otherwise;
 }
 
+/// Max and Min of any number of inputs, two by two.
+template <typename F>
+NetOutputs Folded(const NetNode& node, const F& f) {
+  if (node.inputs.size() == 1) return One(node.inputs[0]);
+  NetOutputs result = Binary(node, f);
+  for (size_t i = 2; result && i < node.inputs.size(); ++i) {
+    NetNode next = node;
+    next.inputs = {(*result)[0], node.inputs[i]};
+    result = Binary(next, f);
+  }
+  return result;
+}
+
 NetOutputs AddBinary(const NetNode& node) {
   const std::string& op = node.node.op;
   const bool is_whole =
@@ -126,8 +139,8 @@ NetOutputs AddBinary(const NetNode& node) {
   if (op == "Div" && is_whole) return Binary(node, [](float a, float b) { return b == 0 ? 0 : std::trunc(a / b); });
   if (op == "Div") return Binary(node, [](float a, float b) { return a / b; });
   if (op == "Pow") return Binary(node, [](float a, float b) { return b == 2 ? a * a : std::pow(a, b); });
-  if (op == "Max") return Binary(node, [](float a, float b) { return std::max(a, b); });
-  if (op == "Min") return Binary(node, [](float a, float b) { return std::min(a, b); });
+  if (op == "Max") return Folded(node, [](float a, float b) { return std::max(a, b); });
+  if (op == "Min") return Folded(node, [](float a, float b) { return std::min(a, b); });
   return NotMine();
 }
 
@@ -158,15 +171,26 @@ NetOutputs AddUnary(const NetNode& node) {
   return NotMine();
 }
 
-/// Softmax over one axis (from opset 13 on; older files mean all axes behind it, the same where it is the last).
+/// The same numbers as a matrix: the axes before one, and those from it on.
+NetValue AsMatrix(const NetNode& node, const NetValue& value, size_t axis) {
+  NetValue matrix = WithLayout(node, value, NetLayout::kDense);
+  matrix.dims = {1, 1};
+  for (size_t i = 0; i < value.rank(); ++i) matrix.dims[i < axis ? 0 : 1] *= value.dims[i];
+  matrix.strides = DenseStrides(matrix.dims);
+  return matrix;
+}
+
+/// Softmax over one axis; before opset 13 over it and all behind it as if they were one.
 NetOutputs Softmax(const NetNode& node) {
-  const NetValue& value = node.inputs[0];
+  NetValue value = node.inputs[0];
+  const bool is_new = node.opset >= 13;
   const auto rank = static_cast<int64_t>(value.rank());
-  int64_t axis = node.node.Integer("axis", node.opset >= 13 ? -1 : 1);
+  int64_t axis = node.node.Integer("axis", is_new ? -1 : 1);
   axis += axis < 0 ? rank : 0;
-  if (axis < 0 || axis >= rank || (node.opset < 13 && axis != rank - 1)) return BadInput(": its axis is not read");
+  if (axis < 0 || axis >= rank) return BadInput(": its axis is not read");
+  auto index = static_cast<size_t>(axis);
+  if (!is_new && axis != rank - 1) value = AsMatrix(node, value, std::exchange(index, 1));
   NetValue result = node.New(value.dims);
-  const auto index = static_cast<size_t>(axis);
   Dims rest = value.dims;
   rest[index] = 1;
   const NetLoop<2> loop(rest, {result.strides, value.strides});
@@ -183,6 +207,7 @@ NetOutputs Softmax(const NetNode& node) {
       }
     });
   });
+  result.dims = node.inputs[0].dims, result.strides = DenseStrides(result.dims);
   return One(std::move(result));
 }
 

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Convolutions, whichever way they are done, against OpenCV's.
+// Convolutions and enlargements, whichever way they are done, against OpenCV's and their definitions.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "detection/make_engine.h"
 #include "detection/net_join.h"
 #include "detection/test_engines.h"
 #include "detection/test_network.h"
@@ -100,6 +104,83 @@ TEST(NetConvolution, EnlargedPicturesThatOthersReadAreMade) {
   net.Output(net.Conv(joined, 64, 16, 3, 1), {1, 16, 16, 32});
   EXPECT_TRUE(NodesToPutOff(net.model).empty());
   ExpectAsOpenCv(net);
+}
+
+/// How ONNX says that a Resize takes its pixels; without `rounding` its file leaves it out.
+struct Way {
+  std::string place, rounding;
+  int factor = 2;
+};
+
+TestNetwork Enlarging(const Way& way) {
+  TestNetwork net(6, 4);
+  std::vector<OnnxAttribute> attributes{TextAttribute("mode", "nearest"),
+                                        TextAttribute("coordinate_transformation_mode", way.place)};
+  if (!way.rounding.empty()) attributes.push_back(TextAttribute("nearest_mode", way.rounding));
+  const auto factor = static_cast<float>(way.factor);
+  net.Output(net.Op("Resize", {"images", "", net.Constant({4}, {1, 1, factor, factor})}, attributes),
+             {1, 3, 4 * way.factor, 6 * way.factor});
+  return net;
+}
+
+/// The pixel of `count` that pixel `x` is made of, by ONNX's definition.
+int SlowNearest(const Way& way, int x, int count) {
+  double place = (x + .5) / way.factor - .5;
+  if (way.place == "asymmetric") place = x / static_cast<double>(way.factor);
+  if (way.place == "align_corners") place = x * (count - 1.) / (count * way.factor - 1.);
+  if (way.place == "tf_half_pixel_for_nn") place = (x + .5) / way.factor;
+  double pixel = std::ceil(place - .5);
+  if (way.rounding == "floor") pixel = std::floor(place);
+  if (way.rounding == "ceil") pixel = std::ceil(place);
+  if (way.rounding == "round_prefer_ceil") pixel = std::floor(place + .5);
+  return std::clamp(static_cast<int>(pixel), 0, count - 1);
+}
+
+/// Whether an engine reads it; if so, each pixel must be the right one, else the operator is named.
+bool IsReadRightly(const Way& way, const std::string& by) {
+  const auto model = ReadOnnxBytes(Enlarging(way).Bytes(), "test.onnx");
+  DetectionOptions options;
+  options.engine = by;
+  auto engine = MakeEngine(*model, InputOf(*model), options);
+  if (!engine) {
+    EXPECT_THAT(engine.error().message, testing::AllOf(testing::HasSubstr("test.onnx"), testing::HasSubstr("Resize")));
+    return false;
+  }
+  const cv::Mat picture = TestPicture(6, 4);
+  const auto given = RunBy(std::move(engine), picture).at(0);
+  const int rows = 4 * way.factor, columns = 6 * way.factor;
+  for (int i = 0; i < 3 * rows * columns; ++i) {
+    const int y = SlowNearest(way, i / columns % rows, 4), x = SlowNearest(way, i % columns, 6);
+    EXPECT_NEAR(given.at(static_cast<size_t>(i)), picture.at<cv::Vec3b>(y, x)[i / (rows * columns)] / 255.0, 1e-6)
+        << by << ": " << way.place << " " << way.rounding << " " << way.factor;
+  }
+  return true;
+}
+
+TEST(NetConvolution, EnlargementsTakeThePixelsOfTheirFileOrAreRefused) {
+  for (const char* place : {"half_pixel", "pytorch_half_pixel", "half_pixel_symmetric", "asymmetric", "align_corners",
+                            "tf_half_pixel_for_nn"}) {
+    for (const char* rounding : {"", "floor", "ceil", "round_prefer_floor", "round_prefer_ceil"}) {
+      for (const int factor : {2, 3, 4}) {
+        for (const char* by : {"auto", "opencv", "xnnpack"}) IsReadRightly({place, rounding, factor}, by);
+      }
+    }
+  }
+}
+
+TEST(NetConvolution, EnlargementsToBlocksAreReadAndNoOthers) {
+  for (const int factor : {2, 3, 4}) {
+    for (const Way& way : {Way{"asymmetric", "floor", factor}, Way{"half_pixel", "", factor},
+                           Way{"half_pixel", "round_prefer_ceil", factor}})
+      EXPECT_TRUE(IsReadRightly(way, "xnnpack")) << way.place << way.rounding << factor;
+  }
+  EXPECT_TRUE(IsReadRightly({"asymmetric", "", 2}, "xnnpack"));
+  for (const Way& way :
+       {Way{"half_pixel", "floor", 2}, Way{"half_pixel", "ceil", 2}, Way{"asymmetric", "ceil", 2},
+        Way{"asymmetric", "round_prefer_ceil", 2}, Way{"asymmetric", "", 3}, Way{"asymmetric", "", 4}}) {
+    for (const char* by : {"xnnpack", "opencv"})
+      EXPECT_FALSE(IsReadRightly(way, by)) << way.place << way.rounding << way.factor;
+  }
 }
 
 /// A map of six channels, of which 1 and 4 say where the others are read.

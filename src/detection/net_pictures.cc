@@ -284,7 +284,7 @@ bool IsGlobalMean(const NetNode& node) {
   return *axes == Dims{2, 3};
 }
 
-/// At whole factors all ways to choose the nearest pixel are the same.
+/// Each pixel becomes a block.
 NetOutputs Enlargement(const NetNode& node) {
   const auto factors = EnlargementOf(node);
   if (!factors) return factors.error();
@@ -310,28 +310,6 @@ NetOutputs Enlargement(const NetNode& node) {
 
 }  // namespace
 
-Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node) {
-  const NetValue& input = node.inputs[0];
-  if (input.rank() != 4) return BadInput(": only pictures are read");
-  std::vector<float> scales;
-  if (const OnnxAttribute* found = node.node.Find("scales")) scales = found->floats;
-  for (const size_t index : {size_t{1}, size_t{2}}) {  // newer files have a region of interest before it
-    if (node.Has(index) && node.inputs[index].is_constant && node.inputs[index].size() == 4)
-      scales = NumbersOf(node.inputs[index]);
-  }
-  if (node.Has(3) && node.inputs[3].is_constant && node.inputs[3].size() == 4) {
-    scales = NumbersOf(node.inputs[3]);
-    for (size_t i = 0; i < 4; ++i) scales[i] /= static_cast<float>(input.dims[i]);
-  }
-  const std::string mode = node.node.Text("mode", "nearest"),
-                    how = node.node.Text("coordinate_transformation_mode", "half_pixel");
-  const bool is_whole = scales.size() == 4 && scales[0] == 1 && scales[1] == 1 && scales[2] >= 1 && scales[3] >= 1 &&
-                        scales[2] == std::floor(scales[2]) && scales[3] == std::floor(scales[3]);
-  if (!is_whole || mode != "nearest" || how == "align_corners" || how == "tf_crop_and_resize")
-    return BadInput(": only the nearest pixel at a whole factor is read");
-  return std::pair(static_cast<int64_t>(scales[2]), static_cast<int64_t>(scales[3]));
-}
-
 bool PrepareKernels() { return xnn_initialize(nullptr) == xnn_status_success; }
 
 NetOutputs AddPictureOperator(const NetNode& node) {
@@ -351,8 +329,6 @@ NetOutputs AddPictureOperator(const NetNode& node) {
 namespace yorb {
 
 bool PrepareKernels() { return true; }
-
-Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode&) { return NotMine(); }
 
 NetOutputs AddPictureOperator(const NetNode&) { return NotMine(); }
 

@@ -77,7 +77,8 @@ NetOutputs AddPictureOperator(const NetNode& node);  ///< Conv, MaxPool, Resize 
 /// Gets the kernels ready, as often as one likes; false on processors that they are not made for.
 bool PrepareKernels();
 
-/// By how much Resize and Upsample enlarge pictures, along y and x; an error where it is no whole number.
+/// By how much Resize and Upsample enlarge pictures, along y and x; an error where pixels do not
+/// become blocks of whole sizes.
 Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node);
 
 /// The same numbers with others' layout: a copy, unless they lie so already.

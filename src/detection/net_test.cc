@@ -196,6 +196,60 @@ TEST(Net, MatricesAndMeansAreAsDefined) {
   }
 }
 
+TEST(Net, TheLargestAndTheSmallestAreOfAllInputs) {
+  TestNetwork net(4, 2);
+  const auto number = [&](float value) { return net.Constant({1}, {value}); };
+  net.Output(net.Op("Max", {number(.4f), number(.45f), "images"}), {1, 3, 2, 4});
+  net.Output(net.Op("Min", {"images", number(.6f), number(.55f), number(.7f)}), {1, 3, 2, 4});
+  net.Output(net.Op("Max", {net.Op("Neg", {"images"})}), {1, 3, 2, 4});
+  const auto model = ReadOnnxBytes(net.Bytes(), "test.onnx");
+  const cv::Mat picture = TestPicture(4, 2);
+  const auto given = RunBy(MakeXnnpackEngine(*model, InputOf(*model), 1), picture, 2);
+  ASSERT_EQ(given.size(), 3u);
+  for (int i = 0; i < 24; ++i) {
+    const float value = static_cast<float>(picture.at<cv::Vec3b>(i % 8 / 4, i % 4)[i / 8]) / 255;
+    const auto place = static_cast<size_t>(i);
+    EXPECT_FLOAT_EQ(given[0][place], std::max(value, .45f));
+    EXPECT_FLOAT_EQ(given[1][place], std::min(value, .55f));
+    EXPECT_FLOAT_EQ(given[2][place], -value);
+  }
+}
+
+/// A softmax of (1, 3, 2, 4) along an axis; in older files along all from it on.
+std::vector<double> SlowSoftmax(const cv::Mat& picture, size_t axis, bool is_old) {
+  const size_t dims[] = {1, 3, 2, 4};
+  size_t behind = 1;
+  for (size_t i = axis + 1; i < 4; ++i) behind *= dims[i];
+  const size_t block = behind * dims[axis];
+  const auto group = [&](size_t i) { return i / block * behind + (is_old ? 0 : i % behind); };
+  std::vector<double> results, sums(24, 0);
+  for (size_t i = 0; i < 24; ++i) {
+    const auto pixel = picture.at<cv::Vec3b>(static_cast<int>(i % 8 / 4), static_cast<int>(i % 4));
+    results.push_back(std::exp(pixel[static_cast<int>(i / 8)] / 255.0));
+    sums[group(i)] += results.back();
+  }
+  for (size_t i = 0; i < 24; ++i) results[i] /= sums[group(i)];
+  return results;
+}
+
+TEST(Net, SoftmaxOfOlderFilesIsOverAllAxesFromItsOwnOn) {
+  const auto network = [](int64_t opset, std::vector<OnnxAttribute> attributes) {
+    TestNetwork net(4, 2, opset);
+    net.Output(net.Op("Softmax", {"images"}, std::move(attributes)), {1, 3, 2, 4});
+    return net;
+  };
+  for (const int64_t opset : {9, 11, 12, 13}) {
+    for (const int64_t axis : {0, 1, 2, 3, -1, -2}) {
+      const std::vector<float> given = Compiled(network(opset, {IntAttribute("axis", axis)}));
+      const auto wanted = SlowSoftmax(TestPicture(4, 2), static_cast<size_t>(axis < 0 ? axis + 4 : axis), opset < 13);
+      ASSERT_EQ(given.size(), wanted.size());
+      for (size_t i = 0; i < given.size(); ++i) ASSERT_NEAR(given[i], wanted[i], 1e-6) << opset << " " << axis;
+    }
+  }
+  EXPECT_EQ(Compiled(network(12, {})), Compiled(network(12, {IntAttribute("axis", 1)})));
+  EXPECT_EQ(Compiled(network(13, {})), Compiled(network(13, {IntAttribute("axis", 3)})));
+}
+
 TEST(Net, AnOperatorThatIsNotKnownIsNamed) {
   TestNetwork net(32, 32);
   net.Output(net.Op("Gelu", {"images"}), {1, 3, 32, 32});

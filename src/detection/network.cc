@@ -62,8 +62,24 @@ Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
 
 struct Names {
   std::vector<std::string> names;
-  std::string source;
+  std::string source, file;
 };
+
+/// The names of lines that begin with the numbers of their classes from 0 on, "0 person" or "0: person"; otherwise the
+/// lines as they are.
+std::vector<std::string> NamesIn(const std::vector<TextLine>& lines) {
+  std::vector<std::string> plain, names(lines.size());
+  bool are_numbered = true;
+  for (const TextLine& line : lines) {
+    plain.push_back(line.text);
+    const size_t end = line.text.find_first_of(" \t:"), start = line.text.find_first_not_of(" \t:", end);
+    const auto number = ParseInteger(line.text.substr(0, end));
+    are_numbered &= start != std::string::npos && number && *number >= 0 &&
+                    *number < static_cast<long long>(lines.size()) && names[static_cast<size_t>(*number)].empty();
+    if (are_numbered) names[static_cast<size_t>(*number)] = line.text.substr(start);
+  }
+  return are_numbered ? names : plain;
+}
 
 /// The lines of a list of names beside the network: FILE.names, with FILE's ending or without.
 Result<Names> NamesBeside(const std::string& path) {
@@ -72,9 +88,7 @@ Result<Names> NamesBeside(const std::string& path) {
     if (!std::filesystem::exists(file, ignored)) continue;
     const auto text = ReadTextFile(file);
     if (!text) return text.error();
-    Names names{{}, file};
-    for (const TextLine& line : text->lines) names.names.push_back(line.text);
-    return names;
+    return Names{NamesIn(text->lines), file, file};
   }
   return Names{};
 }
@@ -87,7 +101,7 @@ Result<Names> NamesOf(const OnnxModel& model, const std::string& path) {
     return BadInput(path + " carries class names that are no list: '" + text.substr(0, 60) +
                     "'; they are written as {0: 'person', 1: 'chair'}");
   }
-  return Names{*names, "its metadata"};
+  return Names{*names, "its metadata", ""};
 }
 
 Result<std::vector<float>> AnchorsOf(const OnnxModel& model) {
@@ -143,6 +157,7 @@ Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {
   if (!names) return names.error();
   network.names = std::move(names->names);
   network.names_source = std::move(names->source);
+  network.names_file = std::move(names->file);
   auto anchors = AnchorsOf(*model);
   if (!anchors) return named(anchors.error());
   network.anchors = *std::move(anchors);

@@ -17,6 +17,7 @@ struct Network {
   EngineInput input;
   std::vector<std::string> names;  ///< of the classes; empty where nothing says them
   std::string names_source;        ///< "its metadata", a file's name
+  std::string names_file;          ///< beside it, where they stand there
   std::vector<float> anchors;      ///< of raw maps, px; empty: the standard ones
   int stills_px = 0;               ///< longer side at which it sees single pictures best; 0: not known
   int num_keypoint_values = 0;     ///< of a pose network, behind its classes

@@ -15,6 +15,7 @@ HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network
   for (const TensorView& output : outputs) facts.shapes.push_back(output.dims);
   facts.width = network.input.width, facts.height = network.input.height;
   facts.num_names = static_cast<int>(network.names.size());
+  facts.names_file = network.names_file;
   facts.num_keypoint_values = network.num_keypoint_values;
   return facts;
 }

@@ -111,16 +111,25 @@ class TestNetwork {
   yorb::Random random{7};
 };
 
+/// How the numbers of a network are changed.
+struct TwoColourChange {
+  float box_factor = 1, score_factor = 1, score_offset = 0;
+};
+
 /// YOLOv8's output for 64x64 px and two classes: a box of its own size for each cell of 8x8; person from red, cup from
 /// green. (1, 6, 84), of which the first 64 columns are used.
-inline TestNetwork TwoColourNetwork(bool has_names = true) {
+inline TestNetwork TwoColourNetwork(bool has_names = true, const TwoColourChange& change = {}) {
   TestNetwork net(64, 64);
   std::vector<float> boxes;
   for (int row = 0; row < 4; ++row) {
     for (int i = 0; i < 64; ++i) boxes.push_back(row == 0 ? (i % 8 + .5f) * 8 : row == 1 ? (i / 8 + .5f) * 8 : 8.f);
   }
-  const std::string used = net.Op("Concat", {net.Constant({1, 4, 64}, boxes), net.Reshaped(net.Cells(), {1, 2, 64})},
-                                  {IntAttribute("axis", 1)});
+  for (float& number : boxes) number *= change.box_factor;
+  const std::string places = net.Constant({1, 4, 64}, boxes);
+  std::string scores = net.Reshaped(net.Cells(), {1, 2, 64});
+  if (change.score_factor != 1) scores = net.Op("Mul", {scores, net.Constant({1}, {change.score_factor})});
+  if (change.score_offset != 0) scores = net.Op("Add", {scores, net.Constant({1}, {change.score_offset})});
+  const std::string used = net.Op("Concat", {places, scores}, {IntAttribute("axis", 1)});
   const std::string all =
       net.Op("Concat", {used, net.Constant({1, 6, 20}, std::vector<float>(120, 0))}, {IntAttribute("axis", 2)});
   net.Output(all, {1, 6, 84});

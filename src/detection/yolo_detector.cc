@@ -157,6 +157,22 @@ Result<ShapedEngine*> YoloDetector::EngineFor(const cv::Size& picture) {
   return &others_.back();
 }
 
+Result<std::vector<RawBox>> YoloDetector::Decode(const std::vector<TensorView>& outputs, const HeadLayout& layout) {
+  constexpr double kWeak = .05;
+  auto boxes = DecodeBoxes(outputs, layout, decode_);
+  if (!boxes) return BadInput(own_.input.path + " " + boxes.error().message);
+  if (is_in_pixels_ || boxes->empty() || layout.kind == LayoutKind::kRawMaps) return boxes;
+  is_in_pixels_ = !LookLikeFractions(*boxes);
+  if (is_in_pixels_) return boxes;
+  DecodeOptions weak = decode_;
+  weak.confidence = std::min(weak.confidence, kWeak);
+  const auto all = DecodeBoxes(outputs, layout, weak);
+  if (!all || !LookLikeFractions(*all)) return boxes;
+  return BadInput(own_.input.path +
+                  ": its boxes look like fractions of the picture, for none of them reaches beyond 1.5 px; export it "
+                  "with boxes in pixels");
+}
+
 Result<Detections> YoloDetector::Detect(const ImageSet& images) {
   const auto shaped = EngineFor(images.grey.size());
   if (!shaped) return shaped.error();
@@ -168,9 +184,11 @@ Result<Detections> YoloDetector::Detect(const ImageSet& images) {
     return BadInput(input.path + " is no detector that is read: the last numbers of its rows, " +
                     ShapeText((*outputs)[layout.output].dims) +
                     ", are no classes; end-to-end rows are corners, confidence and class number");
+  auto boxes = Decode(*outputs, layout);
+  if (!boxes) return boxes.error();
   const double most_overlap = layout.kind == LayoutKind::kCornerRows ? 1.0 : options_.most_overlap;
   Detections detections;
-  for (const RawBox& raw : SuppressDoubles(DecodeBoxes(*outputs, layout, decode_), most_overlap, kMostBoxes)) {
+  for (const RawBox& raw : SuppressDoubles(*std::move(boxes), most_overlap, kMostBoxes)) {
     const Box whole{NameOf(raw.label),         raw.confidence,
                     fit.ToPictureX(raw.left),  fit.ToPictureY(raw.top),
                     fit.ToPictureX(raw.right), fit.ToPictureY(raw.bottom)};

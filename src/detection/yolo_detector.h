@@ -49,6 +49,9 @@ class YoloDetector : public Detector {
   /// Tells an engine what of its outputs is decoded: where objectness is too low, nothing else.
   void ReadOnlyWhatCounts(ShapedEngine& shaped) const;
 
+  /// The boxes of outputs, once it is sure that they are in pixels.
+  Result<std::vector<RawBox>> Decode(const std::vector<TensorView>& outputs, const HeadLayout& layout);
+
   /// The engine for a picture of this size.
   Result<ShapedEngine*> EngineFor(const cv::Size& picture);
 
@@ -58,6 +61,7 @@ class YoloDetector : public Detector {
   int long_side_px_ = 0;           // of a picture that is looked at in its own shape
   std::vector<ShapedEngine> others_;
   DecodeOptions decode_;
+  bool is_in_pixels_ = false;  // a box has shown it: from then on a tiny one in the corner is nothing odd
   std::vector<std::string> names_;
 };
 

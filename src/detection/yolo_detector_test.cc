@@ -112,7 +112,69 @@ TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {
   folder.Write("net.names", "person\r\ncup\r\n");
   EXPECT_EQ((*YoloDetector::Open(options))->names(), (std::vector<std::string>{"person", "cup"}));
   folder.Write("net.names", "person\n");
-  EXPECT_THAT(YoloDetector::Open(options).error().message, HasSubstr("1 class names"));
+  EXPECT_THAT(YoloDetector::Open(options).error().message,
+              testing::AllOf(HasSubstr("net.onnx does not fit"), HasSubstr("net.names, which has 1 class name")));
+}
+
+TEST(YoloDetector, NumbersOfClassesAreNoPartOfTheirNames) {
+  const TestFolder folder;
+  DetectionOptions options;
+  options.model = folder.Write("net.onnx", TwoColourNetwork(false).Bytes());
+  const auto names_in = [&](const std::string& text) {
+    folder.Write("net.names", text);
+    return (*YoloDetector::Open(options))->names();
+  };
+  const std::vector<std::string> wanted{"person", "paper cup"};
+  for (const char* text : {"0 person\n1 paper cup\n", "0: person\n1: paper cup\n", "1\tpaper cup\n0\tperson\n"})
+    EXPECT_EQ(names_in(text), wanted) << text;
+  for (const auto& [first, second] :
+       {std::pair("1 euro", "2 euro"), std::pair("0 person", "cup"), std::pair("0", "1"), std::pair("0 a", "0 b")})
+    EXPECT_EQ(names_in(std::string(first) + "\n" + second), (std::vector<std::string>{first, second}));
+}
+
+TEST(YoloDetector, BoxesThatAreFractionsAreRefused) {
+  const TestNetwork net = TwoColourNetwork(true, {1 / 64.f});
+  const auto boxes = BoxesOf(net, "auto", RedAndGreen());
+  ASSERT_FALSE(boxes);
+  EXPECT_THAT(boxes.error().message, testing::AllOf(HasSubstr("net.onnx: "), HasSubstr("fractions of the picture")));
+  EXPECT_TRUE(BoxesOf(net, "auto", cv::Mat(64, 64, CV_8UC3, cv::Scalar::all(20)))) << "nothing is there";
+}
+
+TEST(YoloDetector, ATinyBoxInTheCornerIsNoFraction) {
+  TestNetwork net = TwoColourNetwork();
+  for (OnnxTensor& tensor : net.model.constants) {
+    if (tensor.dims != std::vector<int64_t>{1, 4, 64}) continue;
+    tensor.floats[0] = tensor.floats[64] = .5f, tensor.floats[128] = tensor.floats[192] = 1;  // the first cell's
+  }
+  const TestFolder folder;
+  DetectionOptions options;
+  options.model = folder.Write("net.onnx", net.Bytes());
+  auto detector = YoloDetector::Open(options);
+  ASSERT_TRUE(detector) << detector.error().message;
+  const auto expect_one = [&](const cv::Mat& picture) {
+    const auto found = (*detector)->Detect(ImageSetOf(picture));
+    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_EQ(found->boxes.size(), 1u);
+    EXPECT_NEAR(found->boxes[0].right, 1, 1e-5);
+  };
+  cv::Mat tiny(64, 64, CV_8UC3, cv::Scalar::all(20)), with_weak;
+  tiny(cv::Rect(0, 0, 8, 8)).setTo(cv::Scalar(0, 0, 255));
+  tiny.copyTo(with_weak);
+  with_weak(cv::Rect(40, 48, 8, 8)).setTo(cv::Scalar(0, 0, 40));  // a box far below the confidence
+  expect_one(with_weak);
+  ASSERT_TRUE((*detector)->Detect(ImageSetOf(RedAndGreen())));
+  expect_one(tiny);  // by now its boxes are known to be in pixels
+}
+
+TEST(YoloDetector, ScoresThatAreNoProbabilitiesAreRefused) {
+  const auto complaint = [](float factor, float offset) {
+    const auto boxes = BoxesOf(TwoColourNetwork(true, {1, factor, offset}), "auto", RedAndGreen());
+    return boxes ? "" : boxes.error().message;
+  };
+  EXPECT_THAT(complaint(255, 0), testing::AllOf(HasSubstr("net.onnx gives scores"), HasSubstr("sigmoid")));
+  EXPECT_THAT(complaint(10, -6), testing::AllOf(HasSubstr("net.onnx gives scores"), HasSubstr("sigmoid")));
+  EXPECT_THAT(complaint(1, NAN), testing::AllOf(HasSubstr("net.onnx gives scores"), HasSubstr("no numbers")));
+  EXPECT_EQ(complaint(1.000001f, 0), "");
 }
 
 TEST(YoloDetector, TheSizeIsTheFilesOrItsMetadatasOrTheUsers) {

@@ -99,6 +99,25 @@ TEST(Chart, TextsAreEscapedAndNumbersFinite) {
   EXPECT_EQ(SvgNumber(100), "100");
 }
 
+TEST(Svg, EscapedTextIsAlwaysXml) {
+  const std::string bad = "\xef\xbf\xbd";  // U+FFFD
+  EXPECT_EQ(EscapeXml("a<b>&\"'"), "a&lt;b&gt;&amp;&quot;&#39;");
+  EXPECT_EQ(EscapeXml("a\x01\x1f\tb\n\r"), "a\tb\n");
+  for (const std::string whole : {"caf\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x98\x80", "\xed\x9f\xbf", "\xee\x80\x80",
+                                  "\xef\xbf\xbc", "\xf4\x8f\xbf\xbf"}) {
+    EXPECT_EQ(EscapeXml(whole), whole);
+  }
+  EXPECT_EQ(EscapeXml("bad\xff.txt"), "bad" + bad + ".txt");
+  EXPECT_EQ(EscapeXml("caf\xe9"), "caf" + bad) << "Latin-1";
+  EXPECT_EQ(EscapeXml("\xe2\x82<"), bad + bad + "&lt;") << "a cut letter does not take the next one along";
+  for (const char* none : {"\xc0\xaf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80",
+                           "\xef\xbf\xbe", "\xef\xbf\xbf", "\x80", "\xf8"}) {
+    const std::string escaped = EscapeXml(none);
+    EXPECT_EQ(escaped.size(), 3 * std::string(none).size()) << "overlong, a surrogate, beyond Unicode or no character";
+    EXPECT_EQ(escaped.substr(0, 3), bad);
+  }
+}
+
 size_t Count(const std::string& text, const std::string& part) {
   size_t count = 0;
   for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/coverage.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -17,10 +15,7 @@ namespace {
 constexpr double kMaxDifference = 0.02;  // seconds
 
 bool Names(std::string_view path, const char* word) {
-  std::string lower(path);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower.find(word) != std::string::npos;
+  return LowerCase(std::string(path)).find(word) != std::string::npos;
 }
 
 /// Whether associations.txt names the depth picture before the colour picture.

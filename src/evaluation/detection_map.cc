@@ -9,12 +9,14 @@ namespace yorb {
 namespace {
 
 constexpr size_t kNumOverlaps = 10;
+constexpr size_t kMostBoxes = 100;  // of a class in one picture, for average precision: COCO's maxDets
 
 double LeastOverlap(size_t index) { return 0.5 + 0.05 * static_cast<double>(index); }
 
 /// One found box of a class: whether it is right, for every least overlap.
 struct Verdict {
   double confidence = 0;
+  bool is_on_curve = true;  ///< whether average precision knows it
   std::vector<bool> is_hit;
 };
 
@@ -53,7 +55,8 @@ void Judge(const JudgedPicture& picture, int label, ClassVerdicts& all) {
                    [](const JudgedBox& a, const JudgedBox& b) { return a.confidence > b.confidence; });
   const size_t first = all.verdicts.size();
   all.num_true += truth.size();
-  for (const JudgedBox& box : found) all.verdicts.push_back({box.confidence, std::vector<bool>(kNumOverlaps)});
+  for (size_t i = 0; i < found.size(); ++i)
+    all.verdicts.push_back({found[i].confidence, i < kMostBoxes, std::vector<bool>(kNumOverlaps)});
   for (size_t k = 0; k < kNumOverlaps; ++k) {
     std::vector<bool> is_taken(truth.size(), false);
     for (size_t i = 0; i < found.size(); ++i) {
@@ -66,7 +69,9 @@ void Judge(const JudgedPicture& picture, int label, ClassVerdicts& all) {
 
 std::vector<bool> HitsAt(const std::vector<Verdict>& verdicts, size_t overlap) {
   std::vector<bool> hits;
-  for (const Verdict& verdict : verdicts) hits.push_back(verdict.is_hit[overlap]);
+  for (const Verdict& verdict : verdicts) {
+    if (verdict.is_on_curve) hits.push_back(verdict.is_hit[overlap]);
+  }
   return hits;
 }
 

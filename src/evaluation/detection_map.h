@@ -26,7 +26,7 @@ struct ClassScore {
   size_t num_true = 0;
   double ap50 = 0;                  ///< average precision at an overlap of .5
   double ap = 0;                    ///< mean over the overlaps .50, .55 ... .95
-  std::optional<double> precision;  ///< of the boxes from the confidence up, at an overlap of .5; nothing without boxes
+  std::optional<double> precision;  ///< of all boxes from the confidence up, at an overlap of .5; nothing without any
   double recall = 0;                ///< the same
 };
 
@@ -37,8 +37,8 @@ struct DetectionScores {
 };
 
 /// Scores by COCO's rules: by falling confidence every found box takes the best free true box of its class and picture
-/// that it overlaps enough; precision made falling, read at 101 recalls. `confidence` is for precision and recall
-/// alone.
+/// that it overlaps enough; precision made falling, read at 101 recalls. Of a class in one picture the 100 surest boxes
+/// make its average precision. `confidence` is for precision and recall alone, which take every box from there up.
 DetectionScores ScoreDetections(const std::vector<JudgedPicture>& pictures, double confidence);
 
 /// The area under a precision-recall curve by COCO's 101 points. `hits`: by falling confidence, whether a box is right.

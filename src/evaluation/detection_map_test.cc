@@ -60,6 +60,20 @@ TEST(DetectionMap, OnlyClassesWithTruthCount) {
   EXPECT_FALSE(ScoreDetections({{{}, {At(0)}}}, .25).map50);
 }
 
+TEST(DetectionMap, OfAClassInOnePictureTheHundredSurestMakeTheCurve) {
+  JudgedPicture picture{{At(0), At(20), At(20, 1, 1)}, {At(20, .3), At(20, .2, 1)}};  // the weakest of each class
+  for (int i = 0; i < 98; ++i) picture.found.push_back(At(1000 + 20 * i, .5));
+  picture.found.push_back(At(0, .9));
+  const auto inside = ScoreDetections({picture}, .25);
+  EXPECT_NEAR(inside.classes[0].ap50, (51 + 50 * .02) / 101, 1e-12) << "the hundredth counts: 2 of 100";
+  picture.found.push_back(At(5000, .5));
+  const auto outside = ScoreDetections({picture, {{}, {}}}, .25);
+  EXPECT_NEAR(outside.classes[0].ap50, 51 / 101.0, 1e-12) << "the hundred and first does not";
+  EXPECT_NEAR(outside.classes[1].ap50, 1, 1e-12) << "another class has a hundred of its own";
+  EXPECT_NEAR(outside.classes[0].recall, 1, 1e-12) << "of all boxes from the confidence up";
+  EXPECT_NEAR(*outside.classes[0].precision, 2 / 101.0, 1e-12);
+}
+
 TEST(DetectionMap, WeakBoxesCountForTheCurveAlone) {
   const auto scores = ScoreDetections({{{At(0)}, {At(0, .2), At(50, .1)}}}, .25);
   EXPECT_NEAR(scores.classes[0].ap50, 1, 1e-12);

@@ -43,6 +43,28 @@ Error NothingInCommon(const ReadTrajectory& reference, const ReadTrajectory& est
   return BadInput(text);
 }
 
+/// Whether the poses can be paired: all have stamps, or none has and nothing shifts them.
+Status CheckStamps(const ReadTrajectory& reference, const ReadTrajectory& estimate, const EvalOptions& options) {
+  if (reference.has_stamps != estimate.has_stamps) {
+    return BadInput((reference.has_stamps ? estimate : reference).path +
+                    " has rows without time stamps, which cannot be paired with stamped poses");
+  }
+  if (!estimate.has_stamps && options.time_offset != 0) {
+    return BadInput("--time-offset " + FormatShortest(options.time_offset) + ": the rows of " + estimate.path +
+                    " have no time stamps that it could move; leave it out");
+  }
+  return Status::Ok();
+}
+
+/// Without stamps nothing but the number of rows can tell that some are missing.
+void WarnOfUnlikeRows(const ReadTrajectory& reference, Evaluation& evaluation) {
+  const size_t num_true = reference.poses.size(), num_found = evaluation.estimate.size();
+  if (reference.has_stamps || num_true == num_found) return;
+  evaluation.warnings.push_back(evaluation.estimate_path + " has " + std::to_string(num_found) + " rows, " +
+                                reference.path + " " + std::to_string(num_true) +
+                                ": without time stamps they are paired by their numbers, from the first on");
+}
+
 void WarnOfDegeneracy(Evaluation& evaluation) {
   const std::string start = evaluation.estimate_path + ": ";
   switch (evaluation.ate.reference_from_estimate.degeneracy) {
@@ -93,15 +115,13 @@ Status Validate(const EvalOptions& options) {
 
 Result<Evaluation> Evaluate(const ReadTrajectory& reference, const ReadTrajectory& estimate,
                             const EvalOptions& options) {
-  if (reference.has_stamps != estimate.has_stamps) {
-    return BadInput((reference.has_stamps ? estimate : reference).path +
-                    " has rows without time stamps, which cannot be paired with stamped poses");
-  }
+  if (const Status fine = CheckStamps(reference, estimate, options); !fine) return fine.error();
   const int64_t offset_ns = Nanoseconds(options.time_offset);
   Evaluation result;
   result.estimate_path = estimate.path;
   result.estimate = estimate.poses;
   result.warnings = estimate.warnings;
+  WarnOfUnlikeRows(reference, result);
   result.pairs =
       AssociateStamps(StampsOf(reference.poses), StampsOf(estimate.poses), options.max_difference, options.time_offset);
   if (result.pairs.empty()) return NothingInCommon(reference, estimate, options);

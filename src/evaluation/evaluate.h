@@ -42,8 +42,9 @@ struct Evaluation {
   std::vector<std::string> warnings;
 };
 
-/// Associates, aligns and measures. Bad input where nothing belongs together (with both ranges of time), or fewer than
-/// three pairs do.
+/// Associates, aligns and measures. Rows without stamps are paired by their numbers; a warning says where there are not
+/// as many. Bad input where nothing belongs together (with both ranges of time), fewer than three pairs do, or a time
+/// offset is given where there are no stamps.
 Result<Evaluation> Evaluate(const ReadTrajectory& reference, const ReadTrajectory& estimate,
                             const EvalOptions& options);
 

@@ -99,6 +99,27 @@ TEST(Evaluate, TheOffsetMovesTheEstimate) {
   EXPECT_EQ(moved->aligned[0].timestamp, truth[0].timestamp);
 }
 
+TEST(Evaluate, RowsWithoutStampsAreNeitherShiftedNorCutInSilence) {
+  const Trajectory truth = SmoothWalk(60, 1000);
+  ReadTrajectory reference = Named("truth.txt", truth), whole = Named("whole.txt", truth),
+                 cut = Named("cut.txt", Trajectory(truth.begin(), truth.begin() + 50));
+  reference.has_stamps = whole.has_stamps = cut.has_stamps = false;
+  EvalOptions options;
+  options.rpe_unit = RpeUnit::kFrames;
+  EXPECT_TRUE(Evaluate(reference, whole, options)->warnings.empty());
+  const auto unlike = Evaluate(reference, cut, options);
+  ASSERT_TRUE(unlike) << unlike.error().message;
+  ASSERT_EQ(unlike->warnings.size(), 1u);
+  for (const char* word : {"cut.txt has 50 rows", "truth.txt 60"}) EXPECT_THAT(unlike->warnings[0], HasSubstr(word));
+  EXPECT_EQ(Evaluate(cut, reference, options)->warnings.size(), 1u) << "nor where the truth is the shorter one";
+  options.time_offset = 1;
+  const auto shifted = Evaluate(reference, whole, options);
+  ASSERT_FALSE(shifted);
+  EXPECT_THAT(shifted.error().message, HasSubstr("--time-offset 1: the rows of whole.txt have no time stamps"));
+  whole.has_stamps = reference.has_stamps = true;
+  EXPECT_TRUE(Evaluate(reference, whole, options)) << "stamps may be shifted";
+}
+
 TEST(Evaluate, FewerThanThreePairsAreRefused) {
   const Trajectory truth = SmoothWalk(500, 10);
   for (size_t count = 1; count < 5; ++count) {

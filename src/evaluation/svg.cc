@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/svg.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
@@ -9,37 +10,63 @@
 namespace yorb {
 namespace {
 
+constexpr const char* kReplacement = "\xef\xbf\xbd";  // U+FFFD
+
 std::string Attribute(const char* name, double value) {
   return std::string(" ") + name + "=\"" + SvgNumber(value) + '"';
 }
 
 std::string Spaced(const std::string& style) { return style.empty() ? style : ' ' + style; }
 
+/// How many bytes the letter of UTF-8 has that `text` begins with; 0 where it begins with none that XML knows.
+size_t LetterLength(std::string_view text) {
+  const auto byte = [&](size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u; };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  const size_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  for (size_t at = 1; at < length; ++at) {
+    if ((byte(at) & 0xc0) != 0x80) return 0;
+  }
+  const bool is_overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool is_surrogate = first == 0xed && second >= 0xa0, is_beyond = first == 0xf4 && second >= 0x90;
+  const bool is_no_character = first == 0xef && second == 0xbf && byte(2) >= 0xbe;  // U+FFFE, U+FFFF
+  return is_overlong || is_surrogate || is_beyond || is_no_character ? 0 : length;
+}
+
+void AppendEscaped(char c, std::string& escaped) {
+  switch (c) {
+    case '&':
+      escaped += "&amp;";
+      break;
+    case '<':
+      escaped += "&lt;";
+      break;
+    case '>':
+      escaped += "&gt;";
+      break;
+    case '"':
+      escaped += "&quot;";
+      break;
+    case '\'':
+      escaped += "&#39;";
+      break;
+    default:
+      if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') escaped += c;
+  }
+}
+
 }  // namespace
 
 std::string EscapeXml(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') escaped += c;
-    }
+  while (!text.empty()) {
+    const size_t length = LetterLength(text);
+    if (length == 1) AppendEscaped(text[0], escaped);
+    if (length > 1) escaped += text.substr(0, length);
+    if (length == 0) escaped += kReplacement;
+    text.remove_prefix(std::max<size_t>(length, 1));
   }
   return escaped;
 }

@@ -13,7 +13,7 @@ struct SvgPoint {
   double x = 0, y = 0;
 };
 
-/// `text` fit for XML and HTML: & < > " ' escaped, control characters left out.
+/// `text` fit for XML and HTML: & < > " ' escaped, control characters left out, what is no UTF-8 replaced by U+FFFD.
 std::string EscapeXml(std::string_view text);
 
 /// A pixel coordinate with at most two decimals and a point in every locale; not finite gives 0.

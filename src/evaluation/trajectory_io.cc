@@ -12,7 +12,7 @@
 namespace yorb {
 namespace {
 
-constexpr size_t kKittiColumns = 12;
+constexpr size_t kTumColumns = 8, kKittiColumns = 12;
 constexpr double kFarthest = 1e12;                     // metres; beyond it squares lose their meaning
 constexpr double kLeastQuaternion = 1e-6;              // norm
 constexpr double kRotationSlack = 1e-2;                // of R * R^T against the identity
@@ -37,6 +37,18 @@ bool IsHeader(const Fields& fields) {
 }
 
 std::string Count(size_t count) { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
+
+/// By which format a row like this one is read; empty where none is known.
+std::string HintOf(const Fields& fields) {
+  const bool is_nanoseconds =
+      ParseInteger(fields[0]).has_value() && StampDecimalsBySize(ParseDouble(fields[0]).value_or(0)) == 9;
+  if (fields.size() > kTumColumns && is_nanoseconds)
+    return "EuRoC's CSV is read with --format euroc, of the reference alone with --reference-format euroc";
+  if (fields.size() == kKittiColumns) return "KITTI's matrices are read with --format kitti";
+  if (fields.size() == kTumColumns)
+    return "TUM's format is read with --format left out, a EuRoC reference beside it with --reference-format euroc";
+  return "";
+}
 
 TrajectoryColumns EurocColumns(size_t count) {
   TrajectoryColumns columns;
@@ -83,11 +95,21 @@ Result<Layout> AutoLayout(const TextFile& file) {
         file.Where(file.lines[0]) +
         ": commas and nanoseconds without a header, which may be TUM's order or EuRoC's; give --format tum or euroc");
   }
-  const std::string hint = fields.size() == kKittiColumns ? "KITTI's matrices are read with --format kitti"
-                           : fields.size() > 8            ? "EuRoC's CSV is read with --format euroc"
-                                                          : "a cut line, or another format: see --format";
+  const std::string hint = HintOf(fields), unknown = fields.size() < kTumColumns ? "a cut line, or another" : "another";
   return BadInput(file.Where(file.lines[0]) + ": " + Count(fields.size()) +
-                  " where TUM's format has 8 (timestamp tx ty tz qx qy qz qw); " + hint);
+                  " where TUM's format has 8 (timestamp tx ty tz qx qy qz qw); " +
+                  (hint.empty() ? unknown + " format: see --format" : hint));
+}
+
+/// EuRoC's columns, of which the first row says how many there are.
+Result<TrajectoryColumns> EurocLayout(const Fields& fields, const std::string& where) {
+  if (fields.size() < kTumColumns)
+    return BadInput(where + ": " + Count(fields.size()) + " where EuRoC's CSV has 8 or more");
+  if (ParseInteger(fields[0])) return EurocColumns(fields.size());
+  const std::string hint = HintOf(fields);
+  return BadInput(where + ": '" + std::string(fields[0].substr(0, 40)) +
+                  "' is no whole number of nanoseconds, as EuRoC's are; " +
+                  (hint.empty() ? "for other formats see --format" : hint));
 }
 
 Result<Layout> FindLayout(const TextFile& file, TrajectoryFormat format) {
@@ -97,18 +119,20 @@ Result<Layout> FindLayout(const TextFile& file, TrajectoryFormat format) {
   layout.first_row = IsHeader(SplitColumns(file.lines[0].text)) ? 1 : 0;
   if (layout.first_row == file.lines.size()) return layout;
   const TextLine& line = file.lines[layout.first_row];
-  const size_t count = SplitColumns(line.text).size();
+  const Fields fields = SplitColumns(line.text);
+  if (format == TrajectoryFormat::kEuroc) {
+    const auto columns = EurocLayout(fields, file.Where(line));
+    if (!columns) return columns.error();
+    layout.columns = *columns;
+    return layout;
+  }
   layout.columns.stamp_decimals = -1;
   if (format == TrajectoryFormat::kKitti) layout.columns.count = kKittiColumns;
-  if (format == TrajectoryFormat::kEuroc) {
-    if (count < 8) return BadInput(file.Where(line) + ": " + Count(count) + " where EuRoC's CSV has 8 or more");
-    const std::string stamp(SplitColumns(line.text)[0]);
-    if (!ParseInteger(stamp))
-      return BadInput(file.Where(line) + ": '" + stamp.substr(0, 40) +
-                      "' is no whole number of nanoseconds, as EuRoC's are; TUM's format is read with --format tum");
-    layout.columns = EurocColumns(count);
-  }
-  return layout;
+  const std::string hint = HintOf(fields);
+  if (fields.size() == layout.columns.count || hint.empty()) return layout;
+  const char* name = format == TrajectoryFormat::kKitti ? "KITTI's" : "TUM's";
+  return BadInput(file.Where(line) + ": " + Count(fields.size()) + " where " + name + " format has " +
+                  std::to_string(layout.columns.count) + "; " + hint);
 }
 
 /// The numbers of a row; bad input where one is none.

@@ -83,7 +83,30 @@ TEST(TrajectoryIo, EurocByItsHeaderOrByName) {
   const auto seconds = ReadTrajectoryFile(TestFile("c.txt", "1305031102.175304 1.5 -2.25 3.125 0 0 0.6 0.8\n"),
                                           TrajectoryFormat::kEuroc);
   ASSERT_FALSE(seconds);
-  EXPECT_THAT(seconds.error().message, testing::AllOf(testing::HasSubstr("line 1"), HasSubstr("--format tum")));
+  EXPECT_THAT(seconds.error().message, testing::AllOf(HasSubstr("line 1"), HasSubstr("--format left out"),
+                                                      HasSubstr("--reference-format euroc")));
+}
+
+TEST(TrajectoryIo, AnotherFormatsRowsPointToTheFormatRatherThanToTheLine) {
+  const std::string kitti = "1 0 0 5 0 1 0 6 0 0 1 7\n1 0 0 5 0 1 0 6 0 0 1 8\n", tum = kPlain;
+  const struct {
+    std::string text;
+    TrajectoryFormat format;
+    const char *columns, *remedy;
+  } cases[] = {{kEurocHeader + kEurocRows, TrajectoryFormat::kTum, "line 2: 9 columns", "--reference-format euroc"},
+               {kEurocRows, TrajectoryFormat::kKitti, "line 1: 9 columns", "--format euroc"},
+               {kitti, TrajectoryFormat::kTum, "line 1: 12 columns", "--format kitti"},
+               {kitti, TrajectoryFormat::kAuto, "line 1: 12 columns", "--format kitti"},
+               {"1.0" + kitti.substr(1), TrajectoryFormat::kEuroc, "line 1: '1.0'", "--format kitti"},
+               {tum, TrajectoryFormat::kKitti, "line 1: 8 columns", "--format left out"}};
+  for (const auto& one : cases) {
+    const std::string refusal = Refusal(one.text, one.format);
+    EXPECT_THAT(refusal, testing::AllOf(HasSubstr(one.columns), HasSubstr(one.remedy)));
+    EXPECT_THAT(refusal, testing::Not(HasSubstr("remove the line")));
+  }
+  EXPECT_THAT(Refusal(tum + "4 1 0 0 0 0 0 1 9\n5 1 0 0 0 0 0 1\n", TrajectoryFormat::kTum),
+              HasSubstr("line 4: 9 columns where 8 are expected; mend or remove the line"));
+  EXPECT_THAT(Refusal("0 1 0 0 5 0 1 0 6 0 0 1 7\n"), HasSubstr("see --format")) << "nor an unlikely format";
 }
 
 TEST(TrajectoryIo, KittiByNameAlone) {

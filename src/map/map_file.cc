@@ -54,6 +54,30 @@ std::optional<Head> ReadHead(const std::string& content) {
   return head;
 }
 
+std::string RootsBytes(const std::vector<KeyframeId>& roots) {
+  ByteWriter bytes;
+  for (const KeyframeId root : roots) bytes.Put(root.value());
+  return bytes.bytes();
+}
+
+std::vector<KeyframeId> RootsOf(const std::string& content) {
+  ByteReader bytes(content);
+  std::vector<KeyframeId> roots;
+  for (const uint32_t id : bytes.GetRow<uint32_t>(content.size() / sizeof(uint32_t))) roots.emplace_back(id);
+  return bytes.IsReadWhole() ? roots : std::vector<KeyframeId>();
+}
+
+/// Whether each sub-map of a map is named once.
+bool AreAllRoots(const Map& map, const std::vector<KeyframeId>& roots) {
+  std::unordered_set<KeyframeId> left(roots.begin(), roots.end());
+  if (left.size() != roots.size()) return false;
+  bool are_known = true;
+  map.VisitKeyframes([&](const Keyframe& keyframe) {
+    if (keyframe.root == keyframe.id) are_known = left.erase(keyframe.id) == 1 && are_known;
+  });
+  return are_known && left.empty();
+}
+
 /// Writes the chunks; the first failure ends it.
 class MapWriter {
  public:
@@ -71,6 +95,7 @@ class MapWriter {
     for (const RemovedKeyframe& removed : MapAssembly::Removed(map)) PutRemoved(removed, gone);
     Add("GONE", gone.bytes());
     AddLandmarks(map);
+    if (facts.roots.size() > 1) Add("ROOT", RootsBytes(facts.roots));
     return status_ ? file_.Commit() : status_;
   }
 
@@ -113,6 +138,9 @@ class MapReader {
     parts_.num_loops = head_->num_loops;
     auto map = MapAssembly::Make(std::move(parts_));
     if (!map) return file_.Damaged(map.error().message);
+    if (!head_->facts.roots.empty() && !AreAllRoots(*map, head_->facts.roots)) {
+      return file_.Damaged("its list of sub-maps does not fit");
+    }
     return SavedMap{*std::move(map), head_->facts, file_.num_bytes()};
   }
 
@@ -123,7 +151,14 @@ class MapReader {
     if (!head_ || !setups_) return false;
     if (chunk.name == "KEYF") return TakeKeyframe(chunk.content);
     if (chunk.name == "GONE") return Append(ReadRemoved(chunk.content), parts_.removed);
+    if (chunk.name == "ROOT") return TakeRoots(chunk.content);
     return chunk.name == "LAND" && Append(ReadLandmarks(chunk.content), parts_.landmarks);
+  }
+
+  bool TakeRoots(const std::string& content) {
+    if (!head_->facts.roots.empty()) return false;
+    head_->facts.roots = RootsOf(content);
+    return !head_->facts.roots.empty();
   }
 
   bool TakeKeyframe(const std::string& content) {
@@ -162,6 +197,12 @@ bool IsReplaceable(const std::string& path) {
   return file.gcount() == 0 || (file.gcount() == sizeof(start) && std::memcmp(start, kMagic, sizeof(start)) == 0);
 }
 
+/// Whether a path can only be a folder's, there or not: it ends in a slash or a dot.
+bool IsFolderName(const std::string& path) {
+  const std::filesystem::path name = std::filesystem::path(path).filename();
+  return name.empty() || name == "." || name == "..";
+}
+
 }  // namespace
 
 Result<SavedMap> ReadMapFile(const std::string& path) {
@@ -178,7 +219,10 @@ Status WriteMapFile(const std::string& path, const Map& map, const MapFacts& fac
 
 Status CheckMapTarget(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return BadInput(path + " is a folder, no place for a map file");
+  if (IsFolderName(path) || std::filesystem::is_directory(path, error)) {
+    return BadInput(path + " is a folder, no place for a map file; name a file in it, such as " +
+                    (std::filesystem::path(path) / "my.map").string());
+  }
   if (std::filesystem::is_regular_file(path, error)) {
     if (::access(path.c_str(), W_OK) != 0) return BadInput(path + " is write-protected; name another file for the map");
     if (!IsReplaceable(path)) return BadInput(path + " is there and no map of this program; name another file");

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 #include "map/map.h"
@@ -16,7 +17,7 @@ namespace yorb {
 //   "CAMS"  cameras with their pyramids, each once, however many frames they took
 //   "KEYF"  one a keyframe: pose, sub-map, tree, loops, frame with points and descriptors, which landmark each point
 //   shows "GONE"  what is known of the keyframes that were removed: old poses stay answerable "LAND"  landmarks, some
-//   thousand a chunk
+//   thousand a chunk "ROOT"  the sub-maps in the order of the run's results; only where there are several
 //
 // Frames that were only tracked are not in it. Views of landmarks and neighbours of keyframes follow from the rest and
 // are computed anew, and so are bags of words.
@@ -26,7 +27,8 @@ constexpr uint32_t kMapFileVersion = 1;
 
 /// What is known of a map beside itself.
 struct MapFacts {
-  std::string vocabulary;  ///< that found its places, by name or digest; empty: none
+  std::string vocabulary;              ///< that found its places, by name or digest; empty: none
+  std::vector<KeyframeId> roots = {};  ///< of all sub-maps, in the order of the run that wrote them; empty: not known
 };
 
 /// A map from a file.
@@ -44,8 +46,9 @@ Result<SavedMap> ReadMapFile(const std::string& path);
 /// Writes a map whole or not at all: until then the old file stays as it is.
 Status WriteMapFile(const std::string& path, const Map& map, const MapFacts& facts);
 
-/// Whether a map may be written there: looked at before the work whose result it is. Bad input for a folder, a file
-/// that is no map or write-protected, and a place where no file can be made; missing folders are made.
+/// Whether a map may be written there: looked at before the work whose result it is. Bad input for a folder, or
+/// what reads as one, a file that is no map or write-protected, and a place where no file can be made; else missing
+/// folders are made.
 Status CheckMapTarget(const std::string& path);
 
 }  // namespace yorb

@@ -3,9 +3,10 @@
 #include "pictures/endings.h"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <string>
+
+#include "core/text.h"
 
 namespace yorb {
 namespace {
@@ -13,9 +14,7 @@ namespace {
 bool EndsAs(std::string_view name, std::initializer_list<std::string_view> known) {
   const size_t dot = name.rfind('.');
   if (dot == std::string_view::npos) return false;
-  std::string ending(name.substr(dot + 1));
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = LowerCase(std::string(name.substr(dot + 1)));
   return std::find(known.begin(), known.end(), ending) != known.end();
 }
 

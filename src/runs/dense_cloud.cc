@@ -17,6 +17,8 @@ constexpr int kStepPx = 2;           // pixels between two that are projected: a
 constexpr float kEdgeShare = 0.02f;  // two neighbours whose depths differ by more are not on one surface
 constexpr int kMarginOctave = 5;     // a corner of that level keeps some ten pixels' distance from bodies
 constexpr int64_t kSameMomentNs = 1000000;
+constexpr size_t kFewestComparable = 20;  // depths without which nothing is said of a picture
+constexpr float kSameDepthShare = 0.1f;   // pictures that were written anew differ a little
 
 /// A keyframe whose picture is in the recording.
 struct Seen {
@@ -110,6 +112,22 @@ void AddPicture(const ImageSet& images, const MovingAreas& areas, const Keyframe
   });
 }
 
+/// Whether the depths of a keyframe's points are others than those of the picture. Both are looked at in the picture as
+/// it is, not undistorted. Holes say nothing, and of few points neither is said.
+bool IsOfOtherPicture(const Frame& frame, const DepthImage& depth) {
+  size_t num_comparable = 0, num_same = 0;
+  for (size_t i = 0; i < frame.size(); ++i) {
+    const cv::Point px(static_cast<int>(std::lround(frame.keypoints[i].x)),
+                       static_cast<int>(std::lround(frame.keypoints[i].y)));
+    if (!frame.HasDepth(i) || !cv::Rect({0, 0}, depth.pixels.size()).contains(px)) continue;
+    const float here = depth.At(px.x, px.y);
+    if (here <= 0) continue;
+    ++num_comparable;
+    num_same += std::abs(here - frame.depth[i]) <= kSameDepthShare * frame.depth[i];
+  }
+  return num_comparable >= kFewestComparable && 2 * num_same < num_comparable;
+}
+
 /// Loads pictures one by one, and says what moves in them.
 class Watcher {
  public:
@@ -149,9 +167,6 @@ class Watcher {
 Result<DenseClouds> MakeDenseClouds(const Map& map, const std::vector<KeyframeId>& roots, const Dataset& dataset,
                                     const RunParts& parts, const DenseOptions& options) {
   const std::vector<Seen> seen = FindPictures(map, roots, dataset);
-  if (seen.empty()) {
-    return BadInput("no keyframe of the map has its picture in the recording; name one that the map was made of");
-  }
   const Rays rays(dataset.rig());
   Watcher watcher(dataset, parts);
   std::vector<VoxelGrid> grids(roots.size(), VoxelGrid(options.cube_m));
@@ -162,12 +177,20 @@ Result<DenseClouds> MakeDenseClouds(const Map& map, const std::vector<KeyframeId
     const size_t frame = seen[i].frame;
     auto look = watcher.At(frame);
     if (!look) return look.error();
-    if (*look) made.num_with_people += !(*look)->areas.boxes().empty();
+    const size_t num_before = made.num_keyframes;
     for (; i < seen.size() && seen[i].frame == frame; ++i) {
       if (!*look) continue;
+      if (IsOfOtherPicture(*seen[i].keyframe->frame, (*look)->images.depth)) {
+        ++made.num_of_others;
+        continue;
+      }
       AddPicture((*look)->images, (*look)->areas, *seen[i].keyframe, rays, grids[seen[i].root]);
       ++made.num_keyframes;
     }
+    if (made.num_keyframes > num_before) made.num_with_people += !(*look)->areas.boxes().empty();
+  }
+  if (seen.empty() || (made.num_keyframes == 0 && made.num_of_others > 0)) {
+    return BadInput("no keyframe of the map has its picture in the recording; name one that the map was made of");
   }
   for (const VoxelGrid& grid : grids) made.clouds.push_back(grid.Cloud());
   return made;

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
+#include "core/log.h"
 #include "core/stats.h"
 #include "core/stopwatch.h"
 #include "core/text.h"
@@ -49,12 +51,36 @@ Json OrNull(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
+/// A few of many names, for a complaint.
+std::string SomeOf(const std::set<std::string>& names) {
+  constexpr size_t kMost = 5;
+  std::string text;
+  size_t count = 0;
+  for (const std::string& name : names) {
+    if (count++ < kMost) text += (text.empty() ? "'" : ", '") + name + "'";
+  }
+  return text + (count > kMost ? " and " + std::to_string(count - kMost) + " more" : "");
+}
+
+/// Classes go by name, so that a set and a network that name them otherwise have nothing in common.
+void WarnOfNames(const LabelledSet& set, const std::set<std::string>& unknown) {
+  std::set<std::string> names(set.classes.begin(), set.classes.end());
+  names.erase("");
+  LogWarning("no-class-in-common", set.folder +
+                                       ": no box that was found has a name of the set's, so that all scores are 0: the "
+                                       "network has " +
+                                       SomeOf(unknown) + ", the set " + SomeOf(names) +
+                                       "; name them alike in the set's list of classes");
+}
+
 }  // namespace
 
 Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detector, const JudgeOptions& options) {
   const std::map<std::string, int> numbers = NumbersByName(set.classes);
   std::vector<JudgedPicture> pictures;
   std::vector<double> times_ms;
+  std::set<std::string> unknown;
+  bool has_known = false;
   for (const LabelledPicture& labelled : set.pictures) {
     if (options.should_stop && options.should_stop()) break;
     const auto pixels = ReadUprightPicture(labelled.picture);
@@ -71,11 +97,14 @@ Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detect
     }
     for (const Box& box : detections->boxes) {
       const auto number = numbers.find(FoldClassName(box.name));
+      if (number == numbers.end()) unknown.insert(box.name);
       if (number == numbers.end()) continue;
+      has_known = true;
       picture.found.push_back({number->second, box.confidence, box.left, box.top, box.right, box.bottom});
     }
     pictures.push_back(std::move(picture));
   }
+  if (!has_known && !unknown.empty()) WarnOfNames(set, unknown);
   return DetectorJudgement{ScoreDetections(pictures, options.confidence), set.classes, Summarize(times_ms).median,
                            options.confidence, pictures.size()};
 }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/log.h"
 #include "datasets/test_recording.h"
 #include "runs/draw_boxes.h"
 #include "runs/picture_source.h"
@@ -46,6 +47,27 @@ TEST(JudgeDetector, ClassesAreMatchedByNameHoweverTheyAreNumberedAndSpelt) {
   EXPECT_THAT(JudgementText(*judgement), testing::HasSubstr("1 pictures"));
   const auto only = JudgeDetector(*set, detector, {.classes = {"dining table"}});
   EXPECT_EQ(only->scores.classes.size(), 1u);
+}
+
+TEST(JudgeDetector, TellsOfASetAndANetworkWithoutANameInCommon) {
+  const TestFolder folder;
+  folder.WritePicture("images/a.png", TestColour(0));
+  folder.Write("labels/a.txt", "0 0.5 0.5 0.5 0.5\n");
+  folder.Write("classes.txt", "Mensch\n");
+  const auto set = ReadLabelledSet(folder.Path(), "");
+  ASSERT_TRUE(set) << set.error().message;
+  const auto told = [&](std::vector<Box> boxes) {
+    EXPECT_TRUE(StartLog({.keeps_text = true}).ok());
+    SureDetector detector(std::move(boxes));
+    EXPECT_TRUE(JudgeDetector(*set, detector, {}));
+    const std::string text = LogText();
+    EXPECT_TRUE(StopLog().ok());
+    return text;
+  };
+  EXPECT_THAT(told({{"person", .9, 16, 12, 48, 36}}),
+              testing::AllOf(testing::HasSubstr("'person'"), testing::HasSubstr("'Mensch'")));
+  EXPECT_EQ(told({{"person", .9, 16, 12, 48, 36}, {"mensch", .1, 0, 0, 9, 9}}), "");
+  EXPECT_EQ(told({}), "");
 }
 
 TEST(PictureSource, GivesPicturesFoldersAndSequences) {

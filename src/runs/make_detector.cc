@@ -3,6 +3,7 @@
 #include "runs/make_detector.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
@@ -63,6 +64,18 @@ Status TakeNetwork(const Config& config, RunParts& parts) {
   return Status::Ok();
 }
 
+/// A network that was named in vain is worth a word, and one that is not there an end.
+Status CheckModelIsUsed(const Config& config) {
+  const std::string& model = config.detection.model;
+  if (model.empty() || (config.dynamics != "off" && config.detections.empty())) return Status::Ok();
+  std::error_code ignored;
+  if (!std::filesystem::exists(model, ignored)) return BadInput(model + " (the network to use) does not exist");
+  LogWarning("model-unused", model + " is not used: " +
+                                 (config.dynamics == "off" ? "nothing is removed with --dynamics off"
+                                                           : "the boxes come from " + config.detections));
+  return Status::Ok();
+}
+
 }  // namespace
 
 Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
@@ -70,6 +83,7 @@ Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
   auto vocabulary = FindVocabulary(config.places);
   if (!vocabulary) return vocabulary.error();
   parts.slam.vocabulary = *std::move(vocabulary);
+  if (const Status fine = CheckModelIsUsed(config); !fine) return fine.error();
   if (config.dynamics == "off") {
     if (config.detections.empty()) return parts;
     if (const auto file = ReadBoxFile(config.detections); !file) return file.error();

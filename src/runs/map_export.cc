@@ -26,14 +26,15 @@ nlohmann::ordered_json TextOrNull(const std::string& text) {
   return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(text);
 }
 
-std::string KeyframeList(const Map& map, KeyframeId root) {
+/// By time: a map that was gone on with may hold keyframes of an earlier one later.
+Trajectory KeyframesOf(const Map& map, KeyframeId root) {
   Trajectory poses;
   map.VisitKeyframes([&](const Keyframe& keyframe) {
     if (keyframe.root == root) poses.push_back({keyframe.frame->timestamp, keyframe.cam_from_world.Inverse()});
   });
   std::stable_sort(poses.begin(), poses.end(),
                    [](const StampedPose& a, const StampedPose& b) { return a.timestamp < b.timestamp; });
-  return TumText(poses);
+  return poses;
 }
 
 PointCloud LandmarksOf(const Map& map, KeyframeId root) {
@@ -50,7 +51,7 @@ std::string MapInfoJson(const SavedMap& saved) {
   const nlohmann::ordered_json json = {{"version", kMapFileVersion},
                                        {"keyframes", saved.map.num_keyframes()},
                                        {"landmarks", saved.map.num_landmarks()},
-                                       {"submaps", RootsBySize(saved.map).size()},
+                                       {"submaps", RootsInOrder(saved).size()},
                                        {"loops", saved.map.num_loops()},
                                        {"camera", TextOrNull(CameraOf(saved.map))},
                                        {"vocabulary", TextOrNull(saved.facts.vocabulary)},
@@ -65,7 +66,7 @@ std::string MapInfoText(const std::string& path, const SavedMap& saved) {
   };
   return path + ": a map of version " + std::to_string(kMapFileVersion) + "\n" +
          row("keyframes", std::to_string(map.num_keyframes())) + row("landmarks", std::to_string(map.num_landmarks())) +
-         row("sub-maps", std::to_string(RootsBySize(map).size())) + row("loops", std::to_string(map.num_loops())) +
+         row("sub-maps", std::to_string(RootsInOrder(saved).size())) + row("loops", std::to_string(map.num_loops())) +
          row("camera", CameraOf(map)) +
          row("vocabulary", saved.facts.vocabulary.empty() ? "none" : saved.facts.vocabulary) +
          row("bytes", std::to_string(saved.num_bytes));
@@ -81,9 +82,10 @@ Result<MapExport> MapExportOf(const std::string& path) {
   return BadInput(path + " has " + what + "; .ply and .pcd give the points, .txt the keyframes as a TUM list");
 }
 
-std::vector<KeyframeId> RootsBySize(const Map& map) {
+std::vector<KeyframeId> RootsInOrder(const SavedMap& saved) {
+  if (!saved.facts.roots.empty()) return saved.facts.roots;
   std::map<uint32_t, size_t> sizes;
-  map.VisitKeyframes([&](const Keyframe& keyframe) { ++sizes[keyframe.root.value()]; });
+  saved.map.VisitKeyframes([&](const Keyframe& keyframe) { ++sizes[keyframe.root.value()]; });
   std::vector<KeyframeId> roots;
   for (const auto& [root, size] : sizes) roots.emplace_back(root);
   std::stable_sort(roots.begin(), roots.end(),
@@ -91,14 +93,21 @@ std::vector<KeyframeId> RootsBySize(const Map& map) {
   return roots;
 }
 
-std::vector<FileToWrite> ExportedFiles(const Map& map, const std::string& path, MapExport kind) {
+std::vector<FileToWrite> ExportedFiles(const SavedMap& saved, const std::string& path, MapExport kind) {
   std::vector<FileToWrite> files;
-  for (const KeyframeId root : RootsBySize(map)) {
-    const std::string content =
-        kind == MapExport::kKeyframes ? KeyframeList(map, root) : CloudBytes(LandmarksOf(map, root), kind);
+  for (const KeyframeId root : RootsInOrder(saved)) {
+    const std::string content = kind == MapExport::kKeyframes ? TumText(KeyframesOf(saved.map, root))
+                                                              : CloudBytes(LandmarksOf(saved.map, root), kind);
     files.push_back({NumberedPath(path, files.size() + 1), content});
   }
   return files;
+}
+
+std::string SubmapText(const Map& map, KeyframeId root) {
+  const Trajectory keyframes = KeyframesOf(map, root);
+  return std::to_string(keyframes.size()) + " keyframes, " + std::to_string(LandmarksOf(map, root).points.size()) +
+         " landmarks, from " + ToString(keyframes.front().timestamp) + " to " + ToString(keyframes.back().timestamp) +
+         " s";
 }
 
 std::string NumberedPath(const std::string& path, size_t number) {
@@ -106,6 +115,22 @@ std::string NumberedPath(const std::string& path, size_t number) {
   std::filesystem::path numbered(path);
   const std::string name = numbered.stem().string() + "_" + std::to_string(number) + numbered.extension().string();
   return numbered.replace_filename(name).string();
+}
+
+std::vector<std::string> RemoveOlder(const std::string& path, const std::vector<FileToWrite>& written,
+                                     size_t num_submaps) {
+  std::vector<std::string> removed;
+  std::error_code ignored;
+  for (size_t number = 2;; ++number) {
+    const std::string further = NumberedPath(path, number);
+    const auto is_it = [&](const FileToWrite& file) { return file.path == further; };
+    if (std::any_of(written.begin(), written.end(), is_it)) continue;
+    if (std::filesystem::is_regular_file(further, ignored) && std::filesystem::remove(further, ignored)) {
+      removed.push_back(further);
+    } else if (number > num_submaps) {
+      return removed;
+    }
+  }
 }
 
 std::string CloudBytes(const PointCloud& cloud, MapExport kind) {

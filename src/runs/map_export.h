@@ -22,15 +22,24 @@ enum class MapExport { kPly, kPcd, kKeyframes };
 /// Bad input for an ending that is not known.
 Result<MapExport> MapExportOf(const std::string& path);
 
-/// The roots of the sub-maps, the one with most keyframes first.
-std::vector<KeyframeId> RootsBySize(const Map& map);
+/// The roots of the sub-maps in the order of the run's results, trajectory.txt and so on; where the file does not tell,
+/// the one with most keyframes first.
+std::vector<KeyframeId> RootsInOrder(const SavedMap& saved);
 
 /// The landmarks of the map, or the poses of its keyframes as a TUM list by time. Each sub-map has a world of its own
 /// and so a file of its own: X.ply, X_2.ply and so on.
-std::vector<FileToWrite> ExportedFiles(const Map& map, const std::string& path, MapExport kind);
+std::vector<FileToWrite> ExportedFiles(const SavedMap& saved, const std::string& path, MapExport kind);
+
+/// What a sub-map consists of, by which one can tell which it is: keyframes, landmarks, the time they cover.
+std::string SubmapText(const Map& map, KeyframeId root);
 
 /// The file of the sub-map with that number, from 1.
 std::string NumberedPath(const std::string& path, size_t number);
+
+/// Takes away the files beside `path` that an older result with other sub-maps has left, and gives their names:
+/// numbered ones that are not among those `written`, up to the first number beyond `num_submaps` that is not there.
+std::vector<std::string> RemoveOlder(const std::string& path, const std::vector<FileToWrite>& written,
+                                     size_t num_submaps);
 
 /// A cloud in the bytes of its kind, which must be PLY or PCD.
 std::string CloudBytes(const PointCloud& cloud, MapExport kind);

@@ -4,12 +4,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
 #include "map/test_map.h"
+#include "runs/dense_cloud.h"
+#include "runs/map_to_cloud.h"
+#include "runs/test_dataset.h"
 
 namespace yorb {
 namespace {
@@ -68,11 +73,12 @@ TEST(MapExport, TheEndingSaysWhat) {
 }
 
 TEST(MapExport, EachSubmapHasAFileAndTogetherTheyHaveAll) {
-  const Map map = LivedInMap(3, 12);
-  const auto roots = RootsBySize(map);
+  const SavedMap saved{LivedInMap(3, 12), {}, 0};
+  const Map& map = saved.map;
+  const auto roots = RootsInOrder(saved);
   ASSERT_GT(roots.size(), 1u);
   EXPECT_EQ(roots[0], KeyframeId(0));
-  const auto clouds = ExportedFiles(map, "out/x.ply", MapExport::kPly);
+  const auto clouds = ExportedFiles(saved, "out/x.ply", MapExport::kPly);
   ASSERT_EQ(clouds.size(), roots.size());
   EXPECT_EQ(clouds[0].path, "out/x.ply");
   EXPECT_EQ(clouds[1].path, "out/x_2.ply");
@@ -81,7 +87,7 @@ TEST(MapExport, EachSubmapHasAFileAndTogetherTheyHaveAll) {
     num_points += (file.content.size() - file.content.find("end_header\n") - 11) / 12;
   }
   EXPECT_EQ(num_points, map.num_landmarks());
-  for (const FileToWrite& file : ExportedFiles(map, "x.txt", MapExport::kKeyframes)) {
+  for (const FileToWrite& file : ExportedFiles(saved, "x.txt", MapExport::kKeyframes)) {
     Timestamp last{-1};
     for (const std::string_view line : SplitAt(file.content, '\n')) {
       if (line.empty() || line[0] == '#') continue;
@@ -107,6 +113,132 @@ TEST(MapInfo, IsJsonWithNullWhereNothingIsKnown) {
   EXPECT_TRUE(json["vocabulary"].is_null());
   EXPECT_EQ(json["bytes"], 77);
   EXPECT_THAT(MapInfoText("a.map", saved), HasSubstr("a.map: a map of version 1\n"));
+}
+
+TEST(MapExport, KeepsTheOrderOfTheRunThatWroteTheMap) {
+  const std::string path = testing::TempDir() + "order_" + std::to_string(::getpid()) + ".map";
+  const Map map = *MapAssembly::Make(SyntheticMapParts(3, 4));
+  const std::vector<KeyframeId> order = {KeyframeId(8), KeyframeId(0), KeyframeId(4)};
+  ASSERT_TRUE(WriteMapFile(path, map, {"", order}).ok());
+  const SavedMap saved = *ReadMapFile(path);
+  EXPECT_EQ(RootsInOrder(saved), order);
+  EXPECT_THAT(ExportedFiles(saved, "x.txt", MapExport::kKeyframes)[0].content, HasSubstr("0.800000 "));
+  for (const uint32_t wrong : {0u, 5u, 99u}) {  // twice, no root, not there
+    ASSERT_TRUE(WriteMapFile(path, map, {"", {KeyframeId(8), KeyframeId(0), KeyframeId(wrong)}}).ok());
+    EXPECT_FALSE(ReadMapFile(path).ok()) << wrong;
+  }
+  ASSERT_TRUE(WriteMapFile(path, map, {"", {KeyframeId(8), KeyframeId(0)}}).ok());
+  EXPECT_FALSE(ReadMapFile(path).ok()) << "one is missing";
+  std::filesystem::remove(path);
+}
+
+/// Maps in files, and what is exported of them, in a folder of their own.
+class ExportedMaps : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "exported_maps_" + std::to_string(::getpid()) + "/";
+    std::filesystem::create_directories(folder_);
+    ASSERT_TRUE(WriteMapFile(In("three.map"), *MapAssembly::Make(SyntheticMapParts(3, 4)), {}).ok());
+    ASSERT_TRUE(WriteMapFile(In("one.map"), *MapAssembly::Make(SyntheticMapParts(1, 4)), {}).ok());
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string In(const std::string& name) const { return folder_ + name; }
+  bool Has(const std::string& name) const { return std::filesystem::exists(In(name)); }
+  std::vector<std::string> Lines(const std::string& map, const std::string& out) const {
+    const auto report = ExportMap(In(map), In(out), {}, {});
+    EXPECT_TRUE(report.ok()) << report.error().message;
+    return report ? report->lines : std::vector<std::string>();
+  }
+
+  std::string folder_;
+};
+
+TEST_F(ExportedMaps, SayOfEachFileWhatItHas) {
+  using testing::AllOf;
+  EXPECT_THAT(Lines("three.map", "x.txt"),
+              testing::ElementsAre(AllOf(HasSubstr("x.txt: 4 keyframes, "), HasSubstr("from 0.000000 to 0.300000 s")),
+                                   AllOf(HasSubstr("x_2.txt: 4 keyframes, "), HasSubstr("from 0.400000 to 0.700000 s")),
+                                   AllOf(HasSubstr("x_3.txt: 4 keyframes, "), HasSubstr("from 0.800000 to 1.100000 s")),
+                                   HasSubstr("3 sub-maps")));
+  const SavedMap one = *ReadMapFile(In("one.map"));
+  EXPECT_THAT(Lines("one.map", "y.ply"),
+              testing::ElementsAre(HasSubstr(std::to_string(one.map.num_landmarks()) + " landmarks")));
+}
+
+TEST_F(ExportedMaps, LeaveNothingOfAnOlderExportBesideThem) {
+  Lines("three.map", "x.ply");
+  Lines("three.map", "x.pcd");
+  ASSERT_TRUE(Has("x_2.ply") && Has("x_3.ply"));
+  ASSERT_TRUE(WriteFileWhole(In("x_5.ply"), "far away").ok());
+  const std::vector<std::string> lines = Lines("one.map", "x.ply");
+  EXPECT_THAT(lines, testing::Contains(In("x_2.ply") + ", of an older export, was removed"));
+  EXPECT_FALSE(Has("x_2.ply") || Has("x_3.ply"));
+  EXPECT_TRUE(Has("x.ply") && Has("x_5.ply") && Has("x_2.pcd") && Has("x_3.pcd"));
+  std::filesystem::create_directories(In("x_2.txt"));
+  Lines("one.map", "x.txt");
+  EXPECT_TRUE(Has("x_2.txt")) << "a folder is no export";
+}
+
+TEST_F(ExportedMaps, OfWhichASubmapHasNothingTakeItsOlderFileAway) {
+  const std::vector<FileToWrite> written = {{In("x.ply"), ""}, {In("x_3.ply"), ""}};
+  for (const char* name : {"x.ply", "x_2.ply", "x_3.ply", "x_4.ply"}) {
+    ASSERT_TRUE(WriteFileWhole(In(name), "old").ok());
+  }
+  EXPECT_THAT(RemoveOlder(In("x.ply"), written, 3), testing::ElementsAre(In("x_2.ply"), In("x_4.ply")));
+  EXPECT_TRUE(Has("x.ply") && Has("x_3.ply"));
+}
+
+TEST_F(ExportedMaps, AreRefusedWithOptionsThatOnlyDenseCloudsHave) {
+  DenseRequest request;
+  request.named_option = "--masks";
+  const auto refused = ExportMap(In("one.map"), In("x.ply"), request, {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().kind, Error::Kind::kBadInput);
+  EXPECT_THAT(refused.error().message, testing::AllOf(HasSubstr("--masks"), HasSubstr("--dense")));
+  EXPECT_FALSE(Has("x.ply"));
+}
+
+/// Adds a keyframe of the wall's first moment with points in the left half of its picture. A lens has moved the ideal
+/// ones into the right half.
+void AddWithDepth(Map& map, const WallDataset& wall, size_t num_points, float metres) {
+  auto frame = std::make_shared<Frame>();
+  frame->id = FrameId(map.next_keyframe().value());
+  frame->timestamp = wall.TimeOf(0);
+  frame->rig = std::make_shared<const Rig>(wall.rig());
+  for (size_t i = 0; i < num_points; ++i) {
+    frame->keypoints.push_back({5 + 5 * static_cast<float>(i), 100, 0, 0, 0});
+    frame->points_px.emplace_back(300.f, 100.f);
+    frame->depth.push_back(metres);
+  }
+  map.AddKeyframe(frame, Rigid3::Identity(), map.newest_keyframe());
+}
+
+TEST(DenseExport, LeavesKeyframesOfOtherPicturesOut) {
+  WallDataset wall(1);
+  wall.left_mm = 3000;
+  Map map;
+  AddWithDepth(map, wall, 20, 3.2f);
+  AddWithDepth(map, wall, 20, 2.f);
+  AddWithDepth(map, wall, 20, 3.5f);
+  const auto made = MakeDenseClouds(map, {KeyframeId(0)}, wall, {}, {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_EQ(made->num_keyframes, 1u);
+  EXPECT_EQ(made->num_of_others, 2u);
+
+  AddWithDepth(map, wall, 19, 2.f);
+  EXPECT_EQ(MakeDenseClouds(map, {KeyframeId(0)}, wall, {}, {})->num_keyframes, 2u) << "too few to tell";
+  wall.left_mm = 0;
+  EXPECT_EQ(MakeDenseClouds(map, {KeyframeId(0)}, wall, {}, {})->num_keyframes, 4u) << "a hole tells nothing";
+}
+
+TEST(DenseExport, IsRefusedWhereAllKeyframesAreOfOtherPictures) {
+  const WallDataset wall(1);
+  Map map;
+  AddWithDepth(map, wall, 30, 1.f);
+  const auto refused = MakeDenseClouds(map, {KeyframeId(0)}, wall, {}, {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().kind, Error::Kind::kBadInput);
 }
 
 }  // namespace

@@ -38,6 +38,10 @@ Result<Recording> Open(const DenseRequest& dense, const Map& map) {
 }
 
 Status CheckRequest(const DenseRequest& dense, MapExport kind, const std::string& out) {
+  if (!dense.sequence && !dense.named_option.empty()) {
+    return BadInput(dense.named_option + " is for dense clouds alone; name the sequence with --dense, or leave " +
+                    dense.named_option + " out");
+  }
   if (dense.sequence && kind == MapExport::kKeyframes) {
     return BadInput("--dense makes points; name a .ply or .pcd file with --out, not " + out);
   }
@@ -50,48 +54,70 @@ Status CheckRequest(const DenseRequest& dense, MapExport kind, const std::string
   return ValidateConfig(dense.config);
 }
 
-std::string LineOf(const std::string& path, size_t count, const char* what) {
-  return path + ": " + std::to_string(count) + " " + what;
+/// Writes the files, and takes away those of an older export with more sub-maps.
+Status WriteFiles(const std::string& out, const std::vector<FileToWrite>& files, size_t num_submaps,
+                  ExportReport& report) {
+  Status written = WriteFilesTogether(files);
+  if (!written) return written;
+  for (const std::string& path : RemoveOlder(out, files, num_submaps)) {
+    report.lines.push_back(path + ", of an older export, was removed");
+  }
+  return written;
 }
 
-Result<ExportReport> ExportDense(const Map& map, const std::string& out, MapExport kind, const DenseRequest& dense,
-                                 const std::function<bool()>& should_stop) {
+void ExplainWorlds(size_t num_submaps, ExportReport& report) {
+  if (num_submaps < 2) return;
+  report.lines.push_back(std::to_string(num_submaps) + " sub-maps, each in a world of its own");
+}
+
+/// What was found of the keyframes in the recording.
+std::string PicturesText(const DenseClouds& made, const Map& map, const std::string& sequence) {
+  return std::to_string(made.num_keyframes) + " of " + std::to_string(map.num_keyframes()) +
+         " keyframes have their pictures in " + sequence + "; people in " + std::to_string(made.num_with_people) +
+         " of them";
+}
+
+Result<ExportReport> ExportDense(const SavedMap& saved, const std::string& out, MapExport kind,
+                                 const DenseRequest& dense, const std::function<bool()>& should_stop) {
+  const Map& map = saved.map;
   const auto recording = Open(dense, map);
   if (!recording) return recording.error();
   const auto parts = MakeParts(dense.config, recording->dataset());
   if (!parts) return parts.error();
   const DenseOptions options{dense.cube_m, should_stop};
-  auto made = MakeDenseClouds(map, RootsBySize(map), recording->dataset(), *parts, options);
+  const std::vector<KeyframeId> roots = RootsInOrder(saved);
+  auto made = MakeDenseClouds(map, roots, recording->dataset(), *parts, options);
   if (!made) return made.error();
   ExportReport report;
   report.was_stopped = made->was_stopped;
   if (made->was_stopped) return report;
-  report.lines.push_back(std::to_string(made->num_keyframes) + " of " + std::to_string(map.num_keyframes()) +
-                         " keyframes have their pictures in " + *dense.sequence + "; people in " +
-                         std::to_string(made->num_with_people) + " of them");
+  report.lines.push_back(PicturesText(*made, map, *dense.sequence));
+  if (made->num_of_others > 0) {
+    report.lines.push_back(std::to_string(made->num_of_others) +
+                           " keyframes were taken from other pictures and are left out");
+  }
   std::vector<FileToWrite> files;
   for (size_t i = 0; i < made->clouds.size(); ++i) {
     if (made->clouds[i].points.empty() && i > 0) continue;
     files.push_back({NumberedPath(out, i + 1), CloudBytes(made->clouds[i], kind)});
-    report.lines.push_back(LineOf(files.back().path, made->clouds[i].points.size(), "points"));
+    report.lines.push_back(files.back().path + ": " + std::to_string(made->clouds[i].points.size()) + " points, of " +
+                           SubmapText(map, roots[i]));
   }
-  const Status written = WriteFilesTogether(files);
+  ExplainWorlds(roots.size(), report);
+  const Status written = WriteFiles(out, files, roots.size(), report);
   if (!written) return written.error();
   return report;
 }
 
-Result<ExportReport> ExportLandmarksOrKeyframes(const Map& map, const std::string& out, MapExport kind) {
-  const std::vector<FileToWrite> files = ExportedFiles(map, out, kind);
-  const Status written = WriteFilesTogether(files);
-  if (!written) return written.error();
+Result<ExportReport> ExportLandmarksOrKeyframes(const SavedMap& saved, const std::string& out, MapExport kind) {
+  const std::vector<KeyframeId> roots = RootsInOrder(saved);
   ExportReport report;
-  const bool are_keyframes = kind == MapExport::kKeyframes;
-  report.lines.push_back(LineOf(out, are_keyframes ? map.num_keyframes() : map.num_landmarks(),
-                                are_keyframes ? "keyframes" : "landmarks"));
-  if (files.size() > 1) {
-    report.lines.back() += ", in " + std::to_string(files.size()) + " files up to " + files.back().path +
-                           ", one a sub-map, each with a world of its own";
+  for (size_t i = 0; i < roots.size(); ++i) {
+    report.lines.push_back(NumberedPath(out, i + 1) + ": " + SubmapText(saved.map, roots[i]));
   }
+  ExplainWorlds(roots.size(), report);
+  const Status written = WriteFiles(out, ExportedFiles(saved, out, kind), roots.size(), report);
+  if (!written) return written.error();
   return report;
 }
 
@@ -108,8 +134,8 @@ Result<ExportReport> ExportMap(const std::string& file, const std::string& out, 
   if (saved->map.num_keyframes() == 0) return BadInput(file + " holds no keyframe; there is nothing to export");
   const auto draft = FileDraft::Open(out);  // let go at once: whether a file can be made there
   if (!draft) return BadInput("nothing can be written there: " + draft.error().message);
-  if (dense.sequence) return ExportDense(saved->map, out, *kind, dense, should_stop);
-  return ExportLandmarksOrKeyframes(saved->map, out, *kind);
+  if (dense.sequence) return ExportDense(*saved, out, *kind, dense, should_stop);
+  return ExportLandmarksOrKeyframes(*saved, out, *kind);
 }
 
 }  // namespace yorb

@@ -17,6 +17,7 @@ struct DenseRequest {
   std::optional<std::string> sequence;  ///< whose depth pictures are taken; none: the landmarks are exported
   double cube_m = 0.01;                 ///< of the points in a cube of this side one stays
   Config config = WithPeopleLeftOut();  ///< dynamics, detections, masks and the detector count
+  std::string named_option;             ///< one of those above that the user named, such as "--cube"; empty: none
 
   static Config WithPeopleLeftOut() {
     Config config;

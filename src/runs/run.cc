@@ -18,6 +18,7 @@
 #include "geometry/trajectory.h"
 #include "runs/feed.h"
 #include "runs/make_detector.h"
+#include "runs/map_export.h"
 #include "runs/overlay.h"
 #include "runs/resources.h"
 #include "runs/results.h"
@@ -65,21 +66,6 @@ RunMetrics MetricsOf(const Run& run, const FeedLog& fed, const SlamReport& repor
   return metrics;
 }
 
-/// trajectory.txt, or trajectory_2.txt where a sub-map was never joined to the first, and so on.
-std::string NumberedName(const std::string& stem, size_t number) {
-  return number == 1 ? stem + ".txt" : stem + "_" + std::to_string(number) + ".txt";
-}
-
-/// Takes away what an older run, or this one before two sub-maps were joined, has left of further sub-maps.
-void RemoveFurther(const std::string& folder, size_t num_submaps) {
-  for (const char* stem : {"trajectory", "keyframes"}) {
-    std::error_code ignored;
-    for (size_t number = num_submaps + 1;; ++number) {
-      if (!std::filesystem::remove(InRunFolder(folder, NumberedName(stem, number)), ignored)) break;
-    }
-  }
-}
-
 /// Writes all files of the run folder: first the results, then what tells of them, so that a disk that is nearly full
 /// takes the trajectory. Nothing is replaced before all that belongs together could be written.
 Status Save(const Run& run, const FeedLog& fed, const SlamReport& report) {
@@ -90,13 +76,16 @@ Status Save(const Run& run, const FeedLog& fed, const SlamReport& report) {
       {in_folder("config.yaml"), ConfigText(WithWholePaths(run.options.config), run.camera_text)},
       {in_folder("metrics.json"), MetricsJson(metrics)},
   };
+  // A sub-map that was never joined to the first has files of its own: trajectory_2.txt and so on.
+  const std::string trajectory = in_folder("trajectory.txt"), keyframes = in_folder("keyframes.txt");
   for (size_t i = 0; i < report.submaps.size(); ++i) {
-    results.push_back({in_folder(NumberedName("trajectory", i + 1)), TumText(report.submaps[i].trajectory)});
-    results.push_back({in_folder(NumberedName("keyframes", i + 1)), TumText(report.submaps[i].keyframes)});
+    results.push_back({NumberedPath(trajectory, i + 1), TumText(report.submaps[i].trajectory)});
+    results.push_back({NumberedPath(keyframes, i + 1), TumText(report.submaps[i].keyframes)});
   }
   const Status status = WriteFilesTogether(results);
   if (!status) return status;
-  RemoveFurther(run.out, report.submaps.size());
+  // Those of an older run, or of this one before two sub-maps were joined.
+  for (const std::string& path : {trajectory, keyframes}) RemoveOlder(path, results, report.submaps.size());
   return WriteFilesTogether({
       {in_folder("frames.csv"), FramesCsv(rows)},
       {in_folder("log.txt"), LogText()},
@@ -155,9 +144,11 @@ void WarnOfMissingMap(const Run& run, const FeedLog& fed, const SlamReport& repo
 }
 
 /// The map into its file, whatever the end of the run is.
-void SaveMap(const Run& run, const Slam& slam, RunSummary& summary) {
+void SaveMap(const Run& run, const Slam& slam, const SlamReport& report, RunSummary& summary) {
   if (run.options.save_map.empty()) return;
-  const auto is_written = SaveRunMap(run.options.save_map, *slam.Snapshot(), run.vocabulary.get());
+  std::vector<KeyframeId> roots;
+  for (const SubmapReport& submap : report.submaps) roots.push_back(submap.root);
+  const auto is_written = SaveRunMap(run.options.save_map, *slam.Snapshot(), run.vocabulary.get(), roots);
   if (!is_written) {
     summary.error = is_written.error();
   } else if (*is_written) {
@@ -190,8 +181,51 @@ RunSummary Carry(Run& run, Slam& slam, const RunHooks& hooks) {
   if (!ShouldSave(run, fed)) return summary;
   const Status status = Save(run, fed, report);
   if (!status) summary.error = status.error();
-  SaveMap(run, slam, summary);
+  SaveMap(run, slam, report, summary);
   return summary;
+}
+
+/// Where a path leads, whether something is there or not: absolute, behind links, without a slash at its end.
+std::filesystem::path PlaceOf(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+  std::filesystem::path place = std::filesystem::weakly_canonical(absolute, error);
+  if (error) place = absolute.lexically_normal();
+  return place.has_filename() ? place : place.parent_path();
+}
+
+/// The first step from a folder to a place in it; "." for the folder itself, ".." for a place outside.
+std::string FirstStep(const std::filesystem::path& folder, const std::filesystem::path& place) {
+  const std::filesystem::path steps = place.lexically_relative(folder);
+  return steps.empty() ? ".." : steps.begin()->string();
+}
+
+/// Whether a run writes, or takes away, a file of that name in its folder.
+bool IsResultName(const std::string& name) {
+  for (const char* fixed : {"config.yaml", "metrics.json", "frames.csv", "log.txt", "report.html"}) {
+    if (name == fixed) return true;
+  }
+  std::string stem = std::filesystem::path(name).stem().string();
+  const size_t bar = stem.find_last_not_of("0123456789");
+  if (bar != std::string::npos && bar + 1 < stem.size() && stem[bar] == '_') stem.resize(bar);
+  return std::filesystem::path(name).extension() == ".txt" && (stem == "trajectory" || stem == "keyframes");
+}
+
+/// Bad input where the map and the run's other results would take each other's place.
+Status CheckMapPlace(const RunOptions& options) {
+  if (options.save_map.empty()) return Status::Ok();
+  const std::filesystem::path map = PlaceOf(options.save_map);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(map, ignored)) return Status::Ok();  // which CheckMapOptions refuses by name
+  for (const std::string& folder : {options.out, options.overlay}) {
+    if (folder.empty() || FirstStep(map, PlaceOf(folder)) == "..") continue;
+    return BadInput("--save-map " + options.save_map + " is where the folder " + folder +
+                    " comes to be; name another file, such as " + map.filename().string() + ".map");
+  }
+  if (options.out.empty() || !IsResultName(FirstStep(PlaceOf(options.out), map))) return Status::Ok();
+  return BadInput("--save-map " + options.save_map +
+                  " is the place of one of the run's own results; name another file, such as " +
+                  InRunFolder(options.out, "my.map"));
 }
 
 Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options, const RunHooks& hooks) {
@@ -232,6 +266,7 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
 
 Result<RunSummary> RunSequence(const Dataset& dataset, const RunOptions& options, const RunHooks& hooks) {
   Status valid = ValidateConfig(options.config);
+  if (valid) valid = CheckMapPlace(options);
   if (valid) valid = CheckMapOptions(options.config, options.save_map);
   if (!valid) return valid.error();
   if (options.config.masks.empty()) return RunUnmasked(dataset, options, hooks);

@@ -58,12 +58,13 @@ Result<MapSnapshot> LoadRunMap(const Config& config, const Rig& rig) {
   return MapSnapshot(std::make_shared<const Map>(std::move(saved->map)));
 }
 
-Result<bool> SaveRunMap(const std::string& path, const Map& map, const Vocabulary* vocabulary) {
+Result<bool> SaveRunMap(const std::string& path, const Map& map, const Vocabulary* vocabulary,
+                        const std::vector<KeyframeId>& roots) {
   if (map.num_keyframes() == 0) {
     LogWarning("map-empty", path + " was not written: there is no map");
     return false;
   }
-  const Status written = WriteMapFile(path, map, {vocabulary ? DigestText(vocabulary->digest()) : ""});
+  const Status written = WriteMapFile(path, map, {vocabulary ? DigestText(vocabulary->digest()) : "", roots});
   if (!written) return written.error();
   LogInfo("map in " + path + ": " + CountsOf(map));
   return true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "camera/rig.h"
 #include "core/result.h"
@@ -19,8 +20,9 @@ Status CheckMapOptions(const Config& config, const std::string& save_map);
 /// Reads the map that the configuration names; null where it names none. Warns where it was made with another camera.
 Result<MapSnapshot> LoadRunMap(const Config& config, const Rig& rig);
 
-/// Writes a map, with the digest of the vocabulary (which may be null) that found its places; false, with a warning,
-/// where it is empty: then nothing is written.
-Result<bool> SaveRunMap(const std::string& path, const Map& map, const Vocabulary* vocabulary);
+/// Writes a map, with the digest of the vocabulary (which may be null) that found its places, and the order of its
+/// sub-maps; false, with a warning, where it is empty: then nothing is written.
+Result<bool> SaveRunMap(const std::string& path, const Map& map, const Vocabulary* vocabulary,
+                        const std::vector<KeyframeId>& roots);
 
 }  // namespace yorb

@@ -14,6 +14,7 @@
 #include "core/files.h"
 #include "core/log.h"
 #include "core/text.h"
+#include "runs/map_export.h"
 #include "runs/run.h"
 #include "runs/test_dataset.h"
 
@@ -231,6 +232,17 @@ TEST_P(RunMaps, GetANewSubmapWhereNothingIsRecognised) {
   EXPECT_EQ(lost.keyframes, ReadMapFile(In("a.map"))->map.num_keyframes()) << "nothing begins while locating only";
 }
 
+TEST_F(RunMaps, AreExportedInTheOrderOfTheRunsResults) {
+  Done(WallDataset(30), Options("a", "", "a.map"));
+  RunOptions options = Options("b", "a.map", "b.map");
+  options.config.tracking.new_map_after_s = 0.5;
+  Done(OtherWall(90), options);
+  const auto files = ExportedFiles(*ReadMapFile(In("b.map")), "x.txt", MapExport::kKeyframes);
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[0].content, Text("b/keyframes.txt"));
+  EXPECT_EQ(files[1].content, Text("b/keyframes_2.txt"));
+}
+
 TEST_F(RunMaps, WithoutAKeyframeAreNotWritten) {
   const RunSummary summary = Done(DarkWall(10), Options("a", "", "a.map"));
   EXPECT_FALSE(summary.error);
@@ -256,6 +268,30 @@ TEST_F(RunMaps, ThatCannotBeWrittenAreRefusedBeforeAnyWork) {
   }
   EXPECT_EQ(Text("notes.txt"), "mine");
   EXPECT_FALSE(std::filesystem::exists(In("b")));
+}
+
+TEST_F(RunMaps, ThatAndOtherResultsWouldTakeEachOthersPlaceAreRefusedBeforeAnyWork) {
+  for (const char* name : {"new/", "new/.", "b", "b/", "b/.", "b/config.yaml", "b/trajectory.txt", "b/trajectory_2.txt",
+                           "b/keyframes.txt", "b/keyframes_12.txt", "b/metrics.json", "b/frames.csv", "b/log.txt",
+                           "b/report.html", "b/report.html/a.map", "./b/x/../log.txt"}) {
+    EXPECT_THAT(Refusal(Options("b", "", name)), HasSubstr(In(name)));
+  }
+  EXPECT_THAT(Refusal(Options("b/c", "", "b")), HasSubstr(In("b"))) << "a folder above the results";
+  RunOptions options = Options("b", "", "o");
+  options.overlay = In("o");
+  EXPECT_THAT(Refusal(options), HasSubstr(In("o")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_)) << "something was made";
+  for (const char* name : {"b/office.map", "b/trajectory_of_b.txt", "b/sub/trajectory.txt"}) {
+    ExpectCounts(Done(WallDataset(10), Options("b", "", name)), name);
+  }
+}
+
+TEST_F(RunMaps, BehindALinkAreFoundToBeInThePlaceOfAResult) {
+  std::filesystem::create_directories(In("b"));
+  std::filesystem::create_directory_symlink("b", In("link"));
+  EXPECT_THAT(Refusal(Options("b", "", "link/trajectory.txt")), HasSubstr(In("link/trajectory.txt")));
+  EXPECT_THAT(Refusal(Options("link", "", "b/log.txt")), HasSubstr(In("b/log.txt")));
+  EXPECT_TRUE(std::filesystem::is_empty(In("b")));
 }
 
 TEST_F(RunMaps, OptionsThatContradictAreRefusedByName) {

@@ -125,6 +125,7 @@ TEST_F(Runs, SkipUnreadablePicturesAndCountThem) {
 TEST_F(Runs, WithoutAMapSayWhy) {
   RunOptions options = Options("inline");
   options.config.tracking.min_first_points = 20000;
+  options.config.features.wanted = 20000;
   const auto summary = RunSequence(WallDataset(3), options, {});
   ASSERT_TRUE(summary.ok());
   EXPECT_FALSE(summary->error.has_value());
@@ -152,6 +153,17 @@ TEST_F(Runs, SaveAsTheyGo) {
   };
   ASSERT_TRUE(RunSequence(WallDataset(6), options, hooks).ok());
   EXPECT_TRUE(is_saved);
+}
+
+TEST_F(Runs, TakeAwayWhatAnOlderOneLeftOfFurtherSubmaps) {
+  for (const char* name : {"trajectory_2.txt", "keyframes_2.txt", "keyframes_3.txt", "notes_2.txt"}) {
+    ASSERT_TRUE(WriteFileWhole(out_ + "/" + name, "old").ok());
+  }
+  ASSERT_TRUE(RunSequence(WallDataset(5), Options("inline"), {}).ok());
+  for (const char* name : {"trajectory_2.txt", "keyframes_2.txt", "keyframes_3.txt"}) {
+    EXPECT_FALSE(std::filesystem::exists(out_ + "/" + name)) << name;
+  }
+  EXPECT_EQ(Text("notes_2.txt"), "old");
 }
 
 TEST_F(Runs, ThatCannotBeginLeaveAnOlderRunAlone) {

@@ -28,8 +28,12 @@ std::string TextOf(const T& value) {
 template <typename T>
 std::optional<T> Parse(const std::string& text) {
   if constexpr (std::is_same_v<T, bool>) {
-    if (text == "true" || text == "on" || text == "yes") return true;
-    if (text == "false" || text == "off" || text == "no") return false;
+    for (const char* yes : {"true", "True", "TRUE", "on", "yes"}) {
+      if (text == yes) return true;
+    }
+    for (const char* no : {"false", "False", "FALSE", "off", "no"}) {
+      if (text == no) return false;
+    }
     return std::nullopt;
   } else if constexpr (std::is_integral_v<T>) {
     const auto number = ParseInteger(text);

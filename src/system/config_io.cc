@@ -45,8 +45,18 @@ bool IsGroup(const std::string& key) {
                      [&](const std::string& known) { return known.rfind(key + ".", 0) == 0; });
 }
 
+/// The option of the command line that has this name, where it is no key; empty: there is none.
+std::string OptionNamed(std::string key) {
+  static const std::set<std::string> options{"save-map", "save-overlay", "out", "quiet"};
+  std::replace(key.begin(), key.end(), '_', '-');
+  return options.count(key) > 0 ? "--" + key : "";
+}
+
 Error UnknownKey(const Setting& setting) {
   const std::string start = setting.origin + ": " + setting.key;
+  if (const std::string option = OptionNamed(setting.key); !option.empty()) {
+    return BadInput(start + " is no key but an option of the command line: " + option);
+  }
   if (setting.key == kCameraGroup) {
     return BadInput(start + " is a group with the numbers of a camera; a camera's name or file is given with --camera");
   }
@@ -187,6 +197,11 @@ Status ValidateConfig(const Config& config) {
   }
   if (config.features.alpha_low > config.features.alpha) {
     return BadInput("features.alpha_low is above features.alpha; it is the lower one of the two");
+  }
+  if (config.features.wanted < config.tracking.min_first_points && !config.localize_only) {
+    return BadInput("features.wanted is " + std::to_string(config.features.wanted) +
+                    ", fewer points than a map begins with: tracking.min_first_points is " +
+                    std::to_string(config.tracking.min_first_points) + "; raise the former or lower the latter");
   }
   return Status::Ok();
 }

@@ -122,6 +122,24 @@ TEST_F(ConfigIo, UnknownKeysAreRefusedByNameWithTheNearestKnownOne) {
   EXPECT_THAT(Complaint("%YAML:1.0\nCamera.fx: 517\n"), AllOf(HasSubstr("Camera.fx"), HasSubstr("--camera")));
 }
 
+TEST_F(ConfigIo, OptionsOfTheCommandLineAreNamedAsSuch) {
+  EXPECT_THAT(Complaint("seed: 1\nsave_map: a.map\n"),
+              AllOf(HasSubstr("line 2: save_map"), HasSubstr("--save-map"), testing::Not(HasSubstr("load_map"))));
+  EXPECT_THAT(SetComplaint("save-overlay=o"), HasSubstr("--save-overlay"));
+}
+
+TEST_F(ConfigIo, SwitchesAreReadInYamlsSpellings) {
+  for (const char* yes : {"true", "True", "TRUE"}) {
+    EXPECT_TRUE(Read(std::string("looping:\n  close_loops: ") + yes)->looping.close_loops) << yes;
+  }
+  for (const char* no : {"false", "False", "FALSE"}) {
+    EXPECT_FALSE(Read(std::string("looping:\n  close_loops: ") + no)->looping.close_loops) << no;
+  }
+  for (const char* neither : {"tRUE", "1", ""}) {
+    EXPECT_THAT(SetComplaint(std::string("looping.close_loops=") + neither), HasSubstr("true or false")) << neither;
+  }
+}
+
 TEST_F(ConfigIo, WrongValuesAreRefusedWithKeyFileAndLine) {
   EXPECT_THAT(Complaint("\n\nfeatures:\n  wanted: many\n"),
               AllOf(HasSubstr("line 4"), HasSubstr("features.wanted"), HasSubstr("many"), HasSubstr("whole number")));
@@ -197,6 +215,14 @@ TEST_F(ConfigIo, ValuesThatCannotStandTogetherAreRefused) {
   config = Config();
   config.features.alpha = std::nan("");
   EXPECT_THAT(ValidateConfig(config).error().message, HasSubstr("features.alpha is nan"));
+  config = Config();
+  config.features.wanted = config.tracking.min_first_points;
+  EXPECT_TRUE(ValidateConfig(config).ok());
+  config.features.wanted = 80;
+  EXPECT_THAT(ValidateConfig(config).error().message,
+              AllOf(HasSubstr("features.wanted is 80"), HasSubstr("tracking.min_first_points is 100")));
+  config.localize_only = true;
+  EXPECT_TRUE(ValidateConfig(config).ok()) << "no map is begun";
 }
 
 TEST_F(ConfigIo, SwitchWordsStandInQuotesSoThatOtherReadersTakeThemForText) {

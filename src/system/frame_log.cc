@@ -48,6 +48,7 @@ std::vector<SubmapReport> SubmapsOf(const std::vector<FrameRecord>& records, con
   size_t num_old = 0;
   for (auto& [root, submap] : by_root) {
     num_old += KeyframeId(root) < first_own;
+    submap.root = KeyframeId(root);
     SortByTime(submap.keyframes);
     submaps.push_back(std::move(submap));
   }

@@ -26,6 +26,12 @@ void MotionModel::Observe(Timestamp from, Timestamp to, const Rigid3& to_from_fr
   rate_ = CameraRate{VectorFromRotation(to_from_from.rotation) / seconds, to_from_from.translation / seconds};
 }
 
+std::optional<CameraRate> MotionModel::RateWhileReading(double readout_s) const {
+  if (!rate_ || step_s_ >= readout_s) return rate_;
+  const double share = step_s_ / readout_s;
+  return CameraRate{share * rate_->turn_per_s, share * rate_->shift_per_s};
+}
+
 Rigid3 MotionModel::Predict(Timestamp from, Timestamp to) const {
   const double seconds = SecondsBetween(from, to);
   if (!rate_ || seconds <= 0 || seconds > kLongestPause) return Rigid3::Identity();

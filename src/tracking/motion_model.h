@@ -41,6 +41,10 @@ class MotionModel {
   /// The rate of the newest step; none where nothing is known of it.
   const std::optional<CameraRate>& rate() const { return rate_; }
 
+  /// The rate for a shutter that rolls for `readout_s`. Such a camera gives no picture sooner after another: where the
+  /// stamps say so, they are times of arrival, and the step took `readout_s` at least.
+  std::optional<CameraRate> RateWhileReading(double readout_s) const;
+
  private:
   std::optional<CameraRate> rate_, rate_before_;
   double step_s_ = 0;  // over which the newest rate was seen

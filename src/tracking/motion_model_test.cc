@@ -19,6 +19,18 @@ TEST(MotionModel, AStepOfTwiceTheTimeIsTwiceAsLong) {
   EXPECT_NEAR(longer.RotationAngle(), 0.04, 1e-9);
 }
 
+TEST(MotionModel, AStepShorterThanTheShutterTakesIsOneOfStamps) {
+  MotionModel motion;
+  EXPECT_FALSE(motion.RateWhileReading(0.026));
+  const Rigid3 step(RotationFromVector({0, 0.02, 0}), Eigen::Vector3d(0.01, 0, 0));
+  motion.Observe(Ms(0), Ms(33), step);
+  EXPECT_EQ(motion.RateWhileReading(0.026)->shift_per_s, motion.rate()->shift_per_s);
+  motion.Observe(Ms(33), Ms(34), step);  // handed over 1 ms after the last, and not taken then
+  EXPECT_NEAR(motion.RateWhileReading(0.026)->shift_per_s.x(), 0.01 / 0.026, 1e-9);
+  EXPECT_NEAR(motion.RateWhileReading(0.026)->turn_per_s.y(), 0.02 / 0.026, 1e-9);
+  EXPECT_EQ(motion.RateWhileReading(0)->shift_per_s, motion.rate()->shift_per_s);
+}
+
 TEST(MotionModel, KnowsNothingAfterAPause) {
   MotionModel motion;
   motion.Observe(Ms(0), Ms(33), Rigid3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 0, 0)));

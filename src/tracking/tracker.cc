@@ -77,7 +77,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   if (is_known) return StandStill();
   if (IsAlone(*raw_frame)) state_ = TrackingState::kLost;
   FollowKeyframe(map);
-  FramePtr frame = WithoutShutter(raw_frame, motion_.rate());
+  FramePtr frame = WithoutShutter(raw_frame, motion_.RateWhileReading(raw_frame->rig->readout_s));
   Sought sought = FindPose(*frame, map);
   std::optional<Located>& located = sought.located;
   Tracked tracked;
@@ -91,7 +91,8 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   if (!task_.only_locates) CountSeen(*located);
   Fix& fix = located->fix;
   NoteMotion(*frame, map, fix);
-  if (const FramePtr better = WithoutShutter(raw_frame, motion_.rate()); better != raw_frame) {
+  if (const FramePtr better = WithoutShutter(raw_frame, motion_.RateWhileReading(raw_frame->rig->readout_s));
+      better != raw_frame) {
     frame = better;
     fix = Refit(*frame, map, fix, SurfacesFor(*frame, map, fix));
   }

@@ -61,12 +61,13 @@ std::vector<PoseObservation> Tracker::FollowPointsOfLast(const Frame& frame, con
   for (const auto& px : found) real_px.push_back(px.value_or(Eigen::Vector2f::Zero()));
   const std::vector<Eigen::Vector2f> ideal_px = rig.camera.Undistort(real_px);
   const Rigid3 predicted = PredictedPose(frame, map);
+  const auto rate = motion_.RateWhileReading(rig.readout_s);
   std::vector<PoseObservation> seen;
   for (size_t i = 0; i < points.size(); ++i) {
     if (!found[i]) continue;
     Eigen::Vector2d px = ideal_px[i].cast<double>();
-    if (rig.readout_s > 0 && motion_.rate()) {
-      const Rigid3 to_row = MotionToRow(rig, *motion_.rate(), static_cast<double>(real_px[i].y()));
+    if (rig.readout_s > 0 && rate) {
+      const Rigid3 to_row = MotionToRow(rig, *rate, static_cast<double>(real_px[i].y()));
       const double depth = (predicted * points[i].x_in_world).z();
       px = rig.camera.Project(to_row.Inverse() * rig.camera.Unproject(px.x(), px.y(), depth));
     }

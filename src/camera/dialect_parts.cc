@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera/dialect_parts.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+
+namespace yorb {
+namespace {
+
+constexpr double kLongestReadout = 0.2;  // seconds
+
+}  // namespace
+
+bool IsOneOf(const std::string& word, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
+}
+
+void CheckPinhole(KeyReader& reader, const Pinhole& camera, const PinholeKeys& keys) {
+  if (reader.error()) return;
+  if (camera.fx <= 0)
+    reader.Refuse(keys.fx, "gives a focal length of " + FormatShortest(camera.fx) + ", it must be > 0");
+  if (camera.fy < 0) {
+    reader.Refuse(keys.fy,
+                  "gives a negative fy: the pictures' rows would run upwards, and |fy| would mirror the world; "
+                  "turn the pictures upside down and give fy > 0 with cy = height - 1 - cy");
+  }
+  if (camera.fy == 0) reader.Refuse(keys.fy, "gives a focal length of 0, it must be > 0");
+  const auto inside = [](double centre, int size) { return centre > -0.5 && (size == 0 || centre < size - 0.5); };
+  if (!inside(camera.cx, camera.width)) {
+    reader.Refuse(keys.cx, "puts the principal point outside of the picture (cx " + FormatShortest(camera.cx) +
+                               ", width " + std::to_string(camera.width) + ")");
+  }
+  if (!inside(camera.cy, camera.height)) {
+    reader.Refuse(keys.cy, "puts the principal point outside of the picture (cy " + FormatShortest(camera.cy) +
+                               ", height " + std::to_string(camera.height) + ")");
+  }
+}
+
+void SetDistortion(KeyReader& reader, const std::string& key, const std::vector<double>& numbers, Pinhole& camera) {
+  if (!IsOneOf(std::to_string(numbers.size()), {"0", "4", "5", "8"})) {
+    return reader.Refuse(key, "holds " + std::to_string(numbers.size()) +
+                                  " distortion numbers; 0, 4 (k1 k2 p1 p2), 5 (and k3) or 8 (and k4 k5 k6) are read");
+  }
+  std::copy(numbers.begin(), numbers.end(), camera.distortion.begin());
+}
+
+void ReadSingleDistortion(KeyReader& reader, const std::string& prefix, Pinhole& camera) {
+  const std::vector<std::string> names{"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  size_t count = 0;
+  for (size_t i = 0; i < names.size(); ++i) {
+    if (reader.table().Has(prefix + names[i])) count = i + 1;
+  }
+  if (count > 0) count = count <= 4 ? 4 : count == 5 ? 5 : 8;
+  for (size_t i = 0; i < count; ++i) camera.distortion[i] = reader.Number(prefix + names[i]);
+}
+
+void ReadShutter(KeyReader& reader, Rig& rig) {
+  rig.readout_s = reader.Number("readout_s", 0);
+  if (rig.readout_s < 0 || rig.readout_s > kLongestReadout) {
+    reader.Refuse("readout_s", "must be between 0 and " + FormatShortest(kLongestReadout) + " seconds");
+  }
+}
+
+void ReadDepthKeys(KeyReader& reader, Rig& rig) {
+  const double baseline = reader.Positive("baseline_m", kVirtualBaseline);
+  if (reader.table().Has("baseline_px") && reader.table().Has("baseline_m")) {
+    reader.Refuse("baseline_px", "and baseline_m are both given; one is enough");
+  }
+  rig.baseline_px = reader.Positive("baseline_px", baseline * rig.camera.fx);
+  rig.close_factor = reader.Positive("close_factor", kDefaultCloseFactor);
+  rig.depth_factor = reader.Positive("depth_factor", 0);
+  rig.fps = reader.Positive("fps", 0);
+  ReadShutter(reader, rig);
+}
+
+void RefuseUnknown(KeyReader& reader, const std::string& key, const std::vector<std::string>& known) {
+  reader.Refuse(key, "is no known key; the nearest is " + NearestWord(key, known));
+}
+
+}  // namespace yorb
