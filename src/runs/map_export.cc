@@ -105,9 +105,9 @@ std::vector<FileToWrite> ExportedFiles(const SavedMap& saved, const std::string&
 
 std::string SubmapText(const Map& map, KeyframeId root) {
   const Trajectory keyframes = KeyframesOf(map, root);
-  return std::to_string(keyframes.size()) + " keyframes, " + std::to_string(LandmarksOf(map, root).points.size()) +
-         " landmarks, from " + ToString(keyframes.front().timestamp) + " to " + ToString(keyframes.back().timestamp) +
-         " s";
+  return std::to_string(keyframes.size()) + (keyframes.size() == 1 ? " keyframe, " : " keyframes, ") +
+         std::to_string(LandmarksOf(map, root).points.size()) + " landmarks, from " +
+         ToString(keyframes.front().timestamp) + " to " + ToString(keyframes.back().timestamp) + " s";
 }
 
 std::string NumberedPath(const std::string& path, size_t number) {
