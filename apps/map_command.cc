@@ -78,7 +78,7 @@ void AddExport(CLI::App& map, Action& action) {
       "  yorb map export office.map --out office_dense.ply --dense recordings/office\n"
       "Sub-maps that were never joined have worlds of their own: X.ply is that of the run's trajectory.txt, then "
       "X_2.ply\n"
-      "and so on; older ones are removed. A line a file says what it has, from when to when.");
+      "and so on. A line a file says what it has, from when to when.");
   command->callback([arguments, dense_only, &action] {
     for (const CLI::Option* option : dense_only) {
       if (option->count() > 0) arguments->dense.named_option = option->get_name();

@@ -117,18 +117,18 @@ std::string NumberedPath(const std::string& path, size_t number) {
   return numbered.replace_filename(name).string();
 }
 
-std::vector<std::string> RemoveOlder(const std::string& path, const std::vector<FileToWrite>& written,
-                                     size_t num_submaps) {
-  std::vector<std::string> removed;
+std::vector<std::string> OlderFiles(const std::string& path, const std::vector<FileToWrite>& written,
+                                    size_t num_submaps) {
+  std::vector<std::string> older;
   std::error_code ignored;
   for (size_t number = 2;; ++number) {
     const std::string further = NumberedPath(path, number);
     const auto is_it = [&](const FileToWrite& file) { return file.path == further; };
     if (std::any_of(written.begin(), written.end(), is_it)) continue;
-    if (std::filesystem::is_regular_file(further, ignored) && std::filesystem::remove(further, ignored)) {
-      removed.push_back(further);
+    if (std::filesystem::is_regular_file(further, ignored)) {
+      older.push_back(further);
     } else if (number > num_submaps) {
-      return removed;
+      return older;
     }
   }
 }

@@ -36,10 +36,10 @@ std::string SubmapText(const Map& map, KeyframeId root);
 /// The file of the sub-map with that number, from 1.
 std::string NumberedPath(const std::string& path, size_t number);
 
-/// Takes away the files beside `path` that an older result with other sub-maps has left, and gives their names:
-/// numbered ones that are not among those `written`, up to the first number beyond `num_submaps` that is not there.
-std::vector<std::string> RemoveOlder(const std::string& path, const std::vector<FileToWrite>& written,
-                                     size_t num_submaps);
+/// The files beside `path` that an older result with other sub-maps may have left: numbered ones that are not among
+/// those `written`, up to the first number beyond `num_submaps` that is not there.
+std::vector<std::string> OlderFiles(const std::string& path, const std::vector<FileToWrite>& written,
+                                    size_t num_submaps);
 
 /// A cloud in the bytes of its kind, which must be PLY or PCD.
 std::string CloudBytes(const PointCloud& cloud, MapExport kind);

@@ -54,13 +54,14 @@ Status CheckRequest(const DenseRequest& dense, MapExport kind, const std::string
   return ValidateConfig(dense.config);
 }
 
-/// Writes the files, and takes away those of an older export with more sub-maps.
+/// Writes the files, and tells of others that would be taken for theirs: they may be of an older export, or of another
+/// map.
 Status WriteFiles(const std::string& out, const std::vector<FileToWrite>& files, size_t num_submaps,
                   ExportReport& report) {
   Status written = WriteFilesTogether(files);
   if (!written) return written;
-  for (const std::string& path : RemoveOlder(out, files, num_submaps)) {
-    report.lines.push_back(path + ", of an older export, was removed");
+  for (const std::string& path : OlderFiles(out, files, num_submaps)) {
+    report.lines.push_back(path + " was there before: it is no part of this map");
   }
   return written;
 }

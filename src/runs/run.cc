@@ -85,7 +85,11 @@ Status Save(const Run& run, const FeedLog& fed, const SlamReport& report) {
   const Status status = WriteFilesTogether(results);
   if (!status) return status;
   // Those of an older run, or of this one before two sub-maps were joined.
-  for (const std::string& path : {trajectory, keyframes}) RemoveOlder(path, results, report.submaps.size());
+  for (const std::string& path : {trajectory, keyframes}) {
+    std::error_code ignored;
+    for (const std::string& older : OlderFiles(path, results, report.submaps.size()))
+      std::filesystem::remove(older, ignored);
+  }
   return WriteFilesTogether({
       {in_folder("frames.csv"), FramesCsv(rows)},
       {in_folder("log.txt"), LogText()},
