@@ -138,11 +138,8 @@ Rig ReadCamodocal(KeyReader& reader) {
     if (is_of_these && !is_known) RefuseUnknown(reader, entry.key, known);
   }
   Rig rig;
+  rig.camera = ReadPinhole(reader, keys);
   Pinhole& camera = rig.camera;
-  camera.fx = reader.Number(keys.fx);
-  camera.fy = reader.Number(keys.fy);
-  camera.cx = reader.Number(keys.cx);
-  camera.cy = reader.Number(keys.cy);
   camera.width = reader.Pixels("image_width");
   camera.height = reader.Pixels("image_height");
   ReadSingleDistortion(reader, lens, camera);

@@ -34,11 +34,9 @@ Rig ReadOurs(KeyReader& reader) {
   const std::string type = LowerCase(reader.Word("type", "pinhole"));
   if (type != "pinhole") reader.Refuse("type", "is '" + type + "': " + kFishEye);
   Rig rig;
+  const PinholeKeys keys{"fx", "fy", "cx", "cy"};
+  rig.camera = ReadPinhole(reader, keys);
   Pinhole& camera = rig.camera;
-  camera.fx = reader.Number("fx");
-  camera.fy = reader.Number("fy");
-  camera.cx = reader.Number("cx");
-  camera.cy = reader.Number("cy");
   camera.width = reader.Pixels("width");
   camera.height = reader.Pixels("height");
   if (reader.table().Has("distortion")) {
@@ -46,7 +44,7 @@ Rig ReadOurs(KeyReader& reader) {
   } else {
     ReadSingleDistortion(reader, "", camera);
   }
-  CheckPinhole(reader, camera, {"fx", "fy", "cx", "cy"});
+  CheckPinhole(reader, camera, keys);
   ReadDepthKeys(reader, rig);
   rig.name = reader.Word("name", "");
   return rig;
@@ -148,11 +146,8 @@ Rig ReadOrbSlam(KeyReader& reader) {
   const std::string prefix = table.HasPrefix("Camera1.") ? "Camera1." : "Camera.";
   const PinholeKeys keys{prefix + "fx", prefix + "fy", prefix + "cx", prefix + "cy"};
   Rig rig;
+  rig.camera = ReadPinhole(reader, keys);
   Pinhole& camera = rig.camera;
-  camera.fx = reader.Number(keys.fx);
-  camera.fy = reader.Number(keys.fy);
-  camera.cx = reader.Number(keys.cx);
-  camera.cy = reader.Number(keys.cy);
   camera.width = reader.Pixels(reader.Either({"Camera.width", "Camera.cols"}));
   camera.height = reader.Pixels(reader.Either({"Camera.height", "Camera.rows"}));
   if (type != "rectified") ReadSingleDistortion(reader, prefix, camera);

@@ -17,6 +17,15 @@ bool IsOneOf(const std::string& word, std::initializer_list<const char*> words) 
   return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
 }
 
+Pinhole ReadPinhole(KeyReader& reader, const PinholeKeys& keys) {
+  Pinhole camera;
+  camera.fx = reader.Number(keys.fx);
+  camera.fy = reader.Number(keys.fy);
+  camera.cx = reader.Number(keys.cx);
+  camera.cy = reader.Number(keys.cy);
+  return camera;
+}
+
 void CheckPinhole(KeyReader& reader, const Pinhole& camera, const PinholeKeys& keys) {
   if (reader.error()) return;
   if (camera.fx <= 0)

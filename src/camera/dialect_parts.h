@@ -30,6 +30,9 @@ struct PinholeKeys {
   std::string fx, fy, cx, cy;
 };
 
+/// The four numbers under their keys; the rest of the camera stays as it is made.
+Pinhole ReadPinhole(KeyReader& reader, const PinholeKeys& keys);
+
 /// Refuses focal lengths and principal points that no picture has.
 void CheckPinhole(KeyReader& reader, const Pinhole& camera, const PinholeKeys& keys);
 

@@ -86,12 +86,16 @@ Result<Detections> FileDetector::Detect(const ImageSet& images) {
   Detections detections;
   detections.has_looked = names_all_ || found != by_frame_.end();
   std::vector<Box> boxes;
-  for (TimedBoxes moment : found == by_frame_.end() ? std::vector<TimedBoxes>() : found->second) {
+  if (found == by_frame_.end()) {
+    detections.says_nobody = detections.has_looked;
+    return detections;
+  }
+  for (TimedBoxes moment : found->second) {
     if (const Status scaled = Scale(moment, images.grey.cols, images.grey.rows); !scaled) return scaled.error();
     boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
   }
   std::stable_sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.confidence > b.confidence; });
-  detections.says_nobody = detections.has_looked && boxes.empty();
+  detections.says_nobody = boxes.empty();
   for (const Box& whole : boxes) {
     const Box box = Cut(whole, images.grey.cols, images.grey.rows);
     if (HasArea(box)) {

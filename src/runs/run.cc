@@ -204,17 +204,6 @@ std::string FirstStep(const std::filesystem::path& folder, const std::filesystem
   return steps.empty() ? ".." : steps.begin()->string();
 }
 
-/// Whether a run writes, or takes away, a file of that name in its folder.
-bool IsResultName(const std::string& name) {
-  for (const char* fixed : {"config.yaml", "metrics.json", "frames.csv", "log.txt", "report.html"}) {
-    if (name == fixed) return true;
-  }
-  std::string stem = std::filesystem::path(name).stem().string();
-  const size_t bar = stem.find_last_not_of("0123456789");
-  if (bar != std::string::npos && bar + 1 < stem.size() && stem[bar] == '_') stem.resize(bar);
-  return std::filesystem::path(name).extension() == ".txt" && (stem == "trajectory" || stem == "keyframes");
-}
-
 /// Bad input where the map and the run's other results would take each other's place.
 Status CheckMapPlace(const RunOptions& options) {
   if (options.save_map.empty()) return Status::Ok();

@@ -65,6 +65,16 @@ Status PrepareRunFolder(const std::string& folder) {
   return reason == 0 ? Status::Ok() : Status(Unusable(folder, reason));
 }
 
+bool IsResultName(const std::string& name) {
+  for (const char* fixed : kFiles) {
+    if (name == fixed) return true;
+  }
+  std::string stem = fs::path(name).stem().string();
+  const size_t bar = stem.find_last_not_of("0123456789");
+  if (bar != std::string::npos && bar + 1 < stem.size() && stem[bar] == '_') stem.resize(bar);
+  return fs::path(name).extension() == ".txt" && (stem == "trajectory" || stem == "keyframes");
+}
+
 Result<std::string> MakeDefaultRunFolder() {
   const std::string name = "yorb_" + DateAndTime();
   std::error_code error;

@@ -16,6 +16,9 @@ Status PrepareRunFolder(const std::string& folder);
 /// Makes a new folder "yorb_DATE_TIME" in the current one and gives its name.
 Result<std::string> MakeDefaultRunFolder();
 
+/// Whether a run writes, or takes away, a file of that name in its folder: trajectory_2.txt, too.
+bool IsResultName(const std::string& name);
+
 /// The files of a run folder, each with its folder before it.
 std::string InRunFolder(const std::string& folder, const std::string& file);
 
