@@ -83,7 +83,7 @@ Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
       events_(kProposalsAhead),
       added_(1),
       applied_(1),
-      first_map_(1),
+      handled_(1),
       view_(mapper_.Snapshot()),
       first_own_(view_.Get()->next_keyframe()),
       next_frame_(NextFrame(*view_.Get())) {
@@ -113,6 +113,7 @@ bool Pipeline::Push(ImageSet images) {
       mapper_.Apply(correction);
       view_.Set(mapper_.Snapshot());
     });
+    return true;
   });
   return true;
 }
@@ -136,7 +137,7 @@ void Pipeline::CloseAll() {
   events_.Close();
   added_.Close();
   applied_.Close();
-  first_map_.Close();
+  handled_.Close();
 }
 
 Status Pipeline::Fault() const {
@@ -174,8 +175,20 @@ Pipeline::Looked Pipeline::Await(const ImageSet& images, bool was_asked) {
   const Looked nobody{{false, {}}, images.timestamp, 0};
   if (!parts_.detector || (!was_asked && mode_ != Mode::kLive)) return nobody;
   if (mode_ == Mode::kInline) return Detect(images);
-  auto looked = mode_ == Mode::kLive ? looked_.TryPop() : looked_.Pop();
-  return looked ? *std::move(looked) : nobody;
+  if (mode_ == Mode::kLive) return Newest(images.timestamp).value_or(nobody);
+  return looked_.Pop().value_or(nobody);
+}
+
+/// Live: the newest boxes that have come. Those that nobody follows from picture to picture count until there are
+/// others.
+std::optional<Pipeline::Looked> Pipeline::Newest(Timestamp now) {
+  constexpr double kLongestS = 0.5;
+  std::optional<Looked> newest;
+  while (auto looked = looked_.TryPop()) newest = std::move(looked);
+  if (dynamics_ == Dynamics::kFull) return newest;
+  if (newest) newest_ = newest;
+  if (newest_ && SecondsBetween(newest_->at, now) > kLongestS) newest_.reset();
+  return newest_;
 }
 
 Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, const Looked& looked) {
@@ -256,7 +269,14 @@ void Pipeline::LookForLoops(KeyframeId added, Apply&& apply) {
 }
 
 void Pipeline::RunDetection() {
-  while (const auto images = to_detect_.Pop()) looked_.Push(Detect(*images));
+  while (const auto images = to_detect_.Pop()) {
+    Looked looked = Detect(*images);
+    if (mode_ == Mode::kLive) {
+      looked_.PushNow(std::move(looked));  // the newest are taken, whatever is left there from before
+    } else {
+      looked_.Push(std::move(looked));
+    }
+  }
   looked_.Close();
 }
 
@@ -270,27 +290,37 @@ void Pipeline::RunExtraction() {
 }
 
 void Pipeline::RunTracking() {
+  const auto give = [this](Proposal proposal) {
+    const bool is_awaited = IsAwaited(proposal);
+    ++num_pending_;
+    events_.Push(std::move(proposal));
+    return !is_awaited || handled_.Pop().has_value();
+  };
   while (auto extracted = frames_.Pop()) {
-    TrackAll(*std::move(extracted), [this](Proposal proposal) {
-      const bool is_first = !proposal.reference.IsValid();
-      ++num_pending_;
-      events_.Push(std::move(proposal));
-      if (is_first) first_map_.Pop();
-    });
+    if (!TrackAll(*std::move(extracted), give)) break;
   }
   events_.Push(EndOfFrames());
 }
 
+/// Whether the tracker goes on only when the mapper has worked a proposal off. Offline, where nothing is late, each
+/// keyframe is adjusted before the next frame is measured on it; live, a sub-map must at least have begun.
+bool Pipeline::IsAwaited(const Proposal& proposal) const {
+  return mode_ == Mode::kOffline || !proposal.reference.IsValid();
+}
+
 void Pipeline::RunMapping() {
-  GiveWay(CanWait::kWhile);  // frames wait for their boxes, points and poses, seldom for the map
-  const MapperHooks hooks{[this] { return events_.Backlog() > 0; },
-                          [this](MapSnapshot map) { view_.Set(std::move(map)); }};
+  MapperHooks hooks;
+  hooks.publish = [this](MapSnapshot map) { view_.Set(std::move(map)); };
+  if (mode_ == Mode::kLive) {
+    GiveWay(CanWait::kWhile);  // frames wait for their boxes, points and poses, seldom for the map
+    hooks.is_busy = [this] { return events_.Backlog() > 0; };
+  }
   while (const auto event = events_.Pop()) {
     if (const auto* proposal = std::get_if<Proposal>(&*event)) {
       const KeyframeId added = Handle(*proposal, hooks);
       view_.Set(mapper_.Snapshot());
       --num_pending_;
-      if (!proposal->reference.IsValid()) first_map_.Push(view_.Get());
+      if (IsAwaited(*proposal)) handled_.Push(view_.Get());
       added_.PushNow(added);
     } else if (const auto* correction = std::get_if<Correction>(&*event)) {
       mapper_.Apply(*correction);

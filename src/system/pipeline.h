@@ -79,9 +79,11 @@ class Pipeline {
   Looked Detect(const ImageSet& images);
   bool AskDetector(const ImageSet& images);
   Looked Await(const ImageSet& images, bool was_asked);
+  std::optional<Looked> Newest(Timestamp now);
   Extracted Extract(const ImageSet& images);
   Extracted Remove(const ImageSet& images, Features features, const Looked& looked);
-  void TrackAll(Extracted extracted, const std::function<void(Proposal)>& give);
+  bool TrackAll(Extracted extracted, const std::function<bool(Proposal)>& give);
+  bool IsAwaited(const Proposal& proposal) const;
   Tracked Track(Extracted& extracted);
   KeyframeId Handle(const Proposal& proposal, const MapperHooks& hooks);
   template <typename Apply>
@@ -113,7 +115,7 @@ class Pipeline {
   Channel<Event> events_;               ///< what the mapper works off; corrections never wait
   Channel<KeyframeId> added_;           ///< what the looper works off; the mapper never waits
   Channel<MapSnapshot> applied_;        ///< the looper waits for its corrections to be in the map
-  Channel<MapSnapshot> first_map_;      ///< the tracker waits for the map to begin
+  Channel<MapSnapshot> handled_;        ///< the tracker waits for the map: offline always, live for its beginning
   std::atomic<size_t> num_pending_{0};  ///< proposals that the mapper has not worked off
   Latest<Map> view_;
   Latest<Error> fault_;
@@ -121,6 +123,7 @@ class Pipeline {
   std::deque<Extracted> waiting_;  ///< of the tracker: what it has seen since it was lost
   const KeyframeId first_own_;     ///< all before are those of the map that was gone on from
   uint32_t next_frame_;
+  std::optional<Looked> newest_;         ///< live, where boxes are not followed: the newest
   std::optional<Timestamp> last_asked_;  ///< the newest picture that the detector was given
   std::vector<std::thread> threads_;
 };

@@ -63,7 +63,8 @@ void MarkMoving(const std::vector<Keypoint>& points, const Places& moving, std::
 
 /// Tracks a frame and gives its proposal away. Where a lost camera begins a new sub-map, the frames that it was lost in
 /// are tracked again, in that: live, where the next picture does not wait, only the newest one.
-void Pipeline::TrackAll(Extracted extracted, const std::function<void(Proposal)>& give) {
+/// False, and nothing more is tracked, once `give` says that nobody takes proposals any more.
+bool Pipeline::TrackAll(Extracted extracted, const std::function<bool(Proposal)>& give) {
   const size_t most_waiting = mode_ == Mode::kLive ? 1 : kMostWaiting;
   std::deque<Extracted> queue;
   queue.push_back(std::move(extracted));
@@ -71,7 +72,7 @@ void Pipeline::TrackAll(Extracted extracted, const std::function<void(Proposal)>
     Extracted next = std::move(queue.front());
     queue.pop_front();
     Tracked tracked = Track(next);
-    if (tracked.proposal) give(*std::move(tracked.proposal));
+    if (tracked.proposal && !give(*std::move(tracked.proposal))) return false;
     if (tracked.record.reference.IsValid()) {
       waiting_.clear();
     } else {
@@ -82,6 +83,7 @@ void Pipeline::TrackAll(Extracted extracted, const std::function<void(Proposal)>
     std::move(queue.begin(), queue.end(), std::back_inserter(waiting_));
     queue = std::exchange(waiting_, {});
   }
+  return true;
 }
 
 Tracked Pipeline::Track(Extracted& extracted) {
