@@ -74,6 +74,7 @@ double PathBetween(const Map& map, KeyframeId from, KeyframeId to) {
 
 bool AreNear(const Map& map, KeyframeId a, KeyframeId b) {
   if (a == b || map.Find(a)->NumShared(b) > 0) return true;
+  if (map.Find(a)->parent == b || map.Find(b)->parent == a) return true;
   const auto& one = map.Find(a)->neighbours;
   const auto& other = map.Find(b)->neighbours;
   auto at = other.begin();  // both are sorted by id

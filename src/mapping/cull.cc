@@ -39,9 +39,11 @@ std::vector<LandmarkId> CullRecentLandmarks(Map& map, const std::vector<Landmark
   constexpr uint32_t kYoung = 2, kGrownUp = 3;  // keyframes since birth
   constexpr int kTooFewRays = 3;
   std::vector<LandmarkId> still_recent;
+  const KeyframeId root = map.Find(map.newest_keyframe())->root;
   for (const LandmarkId id : recent) {
     const Landmark* landmark = map.Find(id);
-    if (!landmark) continue;
+    if (!landmark || map.Find(landmark->reference)->root != root)
+      continue;  // nothing more will see what is left behind
     const uint32_t age = map.newest_keyframe().value() - landmark->first_keyframe.value();
     const bool is_hardly_found = landmark->num_found < kMinFoundShare * landmark->num_visible;
     if (is_hardly_found || (age >= kYoung && NumRays(map, *landmark) <= kTooFewRays)) {

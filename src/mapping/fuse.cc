@@ -9,9 +9,11 @@
 namespace yorb {
 namespace {
 
-/// The neighbours, and half as many neighbours of each of them.
+/// The neighbours, the parent, which need not have a landmark in common yet, and half as many neighbours of each.
 std::vector<KeyframeId> Targets(const Map& map, KeyframeId center, size_t num_neighbours) {
   std::vector<KeyframeId> targets = map.Find(center)->Strongest(num_neighbours, 1);
+  const KeyframeId parent = map.Find(center)->parent;
+  if (parent.IsValid() && map.Find(center)->NumShared(parent) == 0) targets.push_back(parent);
   const size_t num_direct = targets.size();
   for (size_t i = 0; i < num_direct; ++i) {
     for (const KeyframeId id : map.Find(targets[i])->Strongest(num_neighbours / 2, 1)) {

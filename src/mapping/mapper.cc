@@ -105,7 +105,8 @@ void Mapper::AdjustAround(KeyframeId center, const std::function<bool()>& should
   const LocalBundle bundle = AdjustLocally(map_, center, options, should_stop);
   for (const auto& [id, pose] : bundle.poses) map_.SetPose(id, pose);
   for (const auto& [id, x_in_world] : bundle.points) map_.SetPosition(id, x_in_world);
-  TakeOut(bundle.outliers);
+  // What was stopped half-way judges nobody: its values are not yet those that fit best.
+  if (!bundle.was_stopped) TakeOut(bundle.outliers);
   for (const auto& [id, x_in_world] : bundle.points) {
     if (map_.Find(id)) map_.RefreshGeometry(id);
   }

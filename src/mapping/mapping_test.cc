@@ -80,6 +80,16 @@ TEST(CullRecentLandmarks, TakesOutThoseThatAreHardlyFound) {
   EXPECT_EQ(left.size(), landmarks.size() - 1);
 }
 
+TEST(CullRecentLandmarks, LeavesThoseOfAnotherSubMapAlone) {
+  const SyntheticWorld world(1);
+  Map map;
+  const KeyframeId first = InsertKeyframe(map, First(world.Look(CameraAt(0), FrameId(0), Timestamp{0})));
+  const std::vector<LandmarkId> left_behind = AddLandmarksByDepth(map, first);
+  for (uint32_t k = 1; k < 4; ++k) InsertKeyframe(map, First(world.Look(CameraAt(0), FrameId(k), Timestamp{k})));
+  EXPECT_TRUE(CullRecentLandmarks(map, left_behind).empty()) << "no more is to be heard of them";
+  for (const LandmarkId id : left_behind) EXPECT_TRUE(map.Find(id));
+}
+
 /// Maps a row of views as a tracker with perfect matches and slightly wrong poses would propose them.
 TEST(RemoveGone, TakesOutWhatWasOftenSeenToHaveGone) {
   const SyntheticWorld world(4);

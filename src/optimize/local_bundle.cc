@@ -29,11 +29,12 @@ std::vector<KeyframeId> Surrounding(const Map& map, const std::vector<LandmarkId
 void AddOthersOfTies(const Map& map, MapBundlePart& part) {
   for (const KeyframeId id : part.inside) {
     const std::optional<Tie>& tie = map.Find(id)->tie;
-    if (!tie || !map.Find(tie->other)) continue;
+    if (!tie) continue;
+    const KeyframeId other = map.Surviving(tie->other);
     const auto has = [&](const std::vector<KeyframeId>& ids) {
-      return std::find(ids.begin(), ids.end(), tie->other) != ids.end();
+      return std::find(ids.begin(), ids.end(), other) != ids.end();
     };
-    if (!has(part.inside) && !has(part.around)) part.around.push_back(tie->other);
+    if (!has(part.inside) && !has(part.around)) part.around.push_back(other);
   }
 }
 

@@ -43,13 +43,16 @@ void AddLandmarks(const Map& map, const RowOf& row_of, NamedProblem& named) {
   }
 }
 
-/// Ties between keyframes that are there.
+/// Ties between keyframes of the problem. Where the other one was culled, what it hung on stands for it.
 void AddTies(const Map& map, const RowOf& row_of, NamedProblem& named) {
   for (uint32_t row = 0; row < named.keyframes.size(); ++row) {
     const std::optional<Tie>& tie = map.Find(named.keyframes[row])->tie;
-    const auto other = tie ? row_of.find(tie->other) : row_of.end();
-    if (other == row_of.end()) continue;
-    named.problem.ties.push_back({other->second, row, tie->cam_from_other, tie->information});
+    if (!tie) continue;
+    const KeyframeId surviving = map.Surviving(tie->other);
+    const auto other = row_of.find(surviving);
+    if (other == row_of.end() || other->second == row) continue;
+    const Rigid3 other_from_surviving = *map.CamFromWorld(tie->other) * map.Find(surviving)->cam_from_world.Inverse();
+    named.problem.ties.push_back({other->second, row, tie->cam_from_other * other_from_surviving, tie->information});
   }
 }
 

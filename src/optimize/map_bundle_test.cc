@@ -154,5 +154,27 @@ TEST_F(MapBundleTest, ATieHoldsAKeyframeWhoseLandmarksNobodyElseSees) {
   EXPECT_LT((of_last->second.OriginInSource() - wanted.OriginInSource()).norm(), 1e-4) << "it goes with the other";
 }
 
+TEST_F(MapBundleTest, ATieOutlivesTheKeyframeAtItsOtherEnd) {
+  const KeyframeId last = keyframes_.back(), other = keyframes_[kKeyframes - 2], above = keyframes_[kKeyframes - 3];
+  const std::vector<LandmarkId> seen = map_.Find(last)->landmarks;
+  for (uint32_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i].IsValid() || map_.Find(seen[i])->views.size() == 1) continue;
+    const Eigen::Vector3d x = map_.Find(seen[i])->position;
+    map_.Unobserve(seen[i], last);
+    map_.AddLandmark(x, last, i);
+  }
+  const Rigid3 last_from_other = truth_.back() * truth_[kKeyframes - 2].Inverse();
+  const Rigid3 other_from_above = map_.Find(other)->cam_from_world * map_.Find(above)->cam_from_world.Inverse();
+  map_.SetTie(last, {other, last_from_other, 1e6 * Matrix6d::Identity()});
+  map_.Remove(other);
+  ASSERT_EQ(map_.Surviving(other), above);
+  const LocalBundle bundle = AdjustLocally(map_, last, {}, {});
+  const auto of_last =
+      std::find_if(bundle.poses.begin(), bundle.poses.end(), [&](const auto& p) { return p.first == last; });
+  ASSERT_NE(of_last, bundle.poses.end());
+  const Rigid3 wanted = last_from_other * other_from_above * map_.Find(above)->cam_from_world;
+  EXPECT_LT((of_last->second.OriginInSource() - wanted.OriginInSource()).norm(), 1e-4);
+}
+
 }  // namespace
 }  // namespace yorb
