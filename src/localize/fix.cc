@@ -2,9 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "localize/fix.h"
 
+#include "optimize/crowding.h"
 #include "optimize/observed.h"
 
 namespace yorb {
+namespace {
+
+/// Lets each place of the picture count for a few points, however many were found there.
+void WeighPlaces(const Rig& rig, std::vector<PoseObservation>& observations) {
+  std::vector<Eigen::Vector2f> points_px;
+  points_px.reserve(observations.size());
+  for (const PoseObservation& o : observations) {
+    points_px.emplace_back(static_cast<float>(o.seen.x_px), static_cast<float>(o.seen.y_px));
+  }
+  const std::vector<double> shares = SharesOfPlaces(points_px, rig);
+  for (size_t k = 0; k < shares.size(); ++k) observations[k].weight *= shares[k];
+}
+
+}  // namespace
 
 Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<KnownPoint>& points,
                   const std::vector<int>& rows, const Support& support) {
@@ -17,13 +32,15 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
     indices.push_back(i);
   }
   observations.insert(observations.end(), support.followed.begin(), support.followed.end());
-  const PoseEstimate estimate = OptimizePose(guess, observations, Projection(*frame.rig), support.planes);
+  WeighPlaces(*frame.rig, observations);
+  const PoseEstimate estimate =
+      OptimizePose(guess, observations, Projection(*frame.rig), support.planes, support.expected);
 
   Fix fix;
   fix.cam_from_world = estimate.cam_from_world;
   fix.matches.resize(frame.size());
   fix.sigma_m = estimate.SigmaOfPlace();
-  fix.plane_information = estimate.plane_information;
+  fix.held_by = estimate.held_by;
   fix.num_matched = observations.size();
   for (size_t k = 0; k < observations.size(); ++k) {
     if (!estimate.is_inlier[k]) continue;
@@ -68,9 +85,10 @@ Fix FixFromLandmarks(const Frame& frame, const Map& map, const Rigid3& guess, co
   return FixFromPoints(frame, guess, points, rows, support);
 }
 
-Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes) {
+Fix Refit(const Frame& frame, const Map& map, const Fix& fix, Support support) {
   constexpr double kMinKept = 0.8;
-  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches, fix.by_depth, {planes, fix.followed});
+  support.followed = fix.followed;
+  Fix again = FixFromLandmarks(frame, map, fix.cam_from_world, fix.matches, fix.by_depth, support);
   again.num_matched = fix.num_matched;
   const bool is_same = static_cast<double>(again.num_in_all()) >= kMinKept * static_cast<double>(fix.num_in_all());
   return is_same ? again : fix;
@@ -82,7 +100,7 @@ Matrix6d BesideLandmarks(const Frame& frame, const Fix& fix) {
     observations.push_back({point.x_in_world, Observed(frame, point.row), kTrustInNew});
   }
   observations.insert(observations.end(), fix.followed.begin(), fix.followed.end());
-  return fix.plane_information + InformationAt(fix.cam_from_world, observations, Projection(*frame.rig));
+  return fix.held_by + InformationAt(fix.cam_from_world, observations, Projection(*frame.rig));
 }
 
 }  // namespace yorb

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "map/map.h"
@@ -22,11 +23,11 @@ struct Fix {
   std::vector<LandmarkId> matches;  ///< a row a keypoint of the frame; inliers of the last optimisation only
   /// How unsure the points leave the place, in metres, if they err each by itself: one standard deviation.
   double sigma_m = 0;
-  Matrix6d plane_information = Matrix6d::Zero();  ///< of the surfaces, as in PoseEstimate
-  std::vector<DepthPoint> by_depth;               ///< inliers too, by rising rows, where `matches` has no landmark
-  std::vector<PoseObservation> followed;          ///< inliers beside the keypoints: found by optical flow
-  size_t num_matched = 0;                         ///< before outliers were taken out
-  size_t num_inliers = 0;                         ///< of landmarks
+  Matrix6d held_by = Matrix6d::Zero();    ///< beside its points, as in PoseEstimate
+  std::vector<DepthPoint> by_depth;       ///< inliers too, by rising rows, where `matches` has no landmark
+  std::vector<PoseObservation> followed;  ///< inliers beside the keypoints: found by optical flow
+  size_t num_matched = 0;                 ///< before outliers were taken out
+  size_t num_inliers = 0;                 ///< of landmarks
 
   size_t num_at_keypoints() const { return num_inliers + by_depth.size(); }
   size_t num_in_all() const { return num_at_keypoints() + followed.size(); }
@@ -37,7 +38,10 @@ using Planes = std::vector<PlaneObservation>;
 /// What speaks for a pose beside the keypoints.
 struct Support {
   Planes planes;                          ///< what surfaces say
+  std::optional<ExpectedPose> expected;   ///< what the camera's motion says
   std::vector<PoseObservation> followed;  ///< known points where optical flow found them
+
+  bool empty() const { return planes.empty() && !expected && followed.empty(); }
 };
 
 /// Optimises a pose on landmarks (`matches`, a row a keypoint), on points of the frame before where there is none
@@ -50,7 +54,7 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
                   const std::vector<int>& rows, const Support& support = {});
 
 /// The pose anew on the inliers of a fix, whose keypoints have moved a little. The fix itself where that loses most.
-Fix Refit(const Frame& frame, const Map& map, const Fix& fix, const Planes& planes = {});
+Fix Refit(const Frame& frame, const Map& map, const Fix& fix, Support support = {});
 
 /// What a fix rests on that a bundle of landmarks does not know, surfaces and points of the frame before: J^T W J for
 /// the step of Rigid3::FromStep.

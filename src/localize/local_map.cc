@@ -85,7 +85,7 @@ std::vector<ExpectedLandmark> ExpectLocalLandmarks(const Map& map, const LocalMa
 }
 
 Fix FixWithExpected(const Frame& frame, const Map& map, const Fix& coarse,
-                    const std::vector<ExpectedLandmark>& expected, const Planes& planes) {
+                    const std::vector<ExpectedLandmark>& expected, Support support) {
   std::vector<bool> taken(frame.size());
   for (size_t i = 0; i < frame.size(); ++i) taken[i] = coarse.matches[i].IsValid();
   const std::vector<int> rows = MatchExpected(frame, expected, taken);
@@ -93,7 +93,8 @@ Fix FixWithExpected(const Frame& frame, const Map& map, const Fix& coarse,
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i] >= 0) matches[i] = expected[static_cast<size_t>(rows[i])].id;
   }
-  return FixFromLandmarks(frame, map, coarse.cam_from_world, matches, coarse.by_depth, {planes, coarse.followed});
+  support.followed = coarse.followed;
+  return FixFromLandmarks(frame, map, coarse.cam_from_world, matches, coarse.by_depth, support);
 }
 
 }  // namespace yorb

@@ -26,6 +26,6 @@ std::vector<ExpectedLandmark> ExpectLocalLandmarks(const Map& map, const LocalMa
 
 /// The pose anew, on what it rested on so far and the expected landmarks that are found among the other keypoints.
 Fix FixWithExpected(const Frame& frame, const Map& map, const Fix& coarse,
-                    const std::vector<ExpectedLandmark>& expected, const Planes& planes = {});
+                    const std::vector<ExpectedLandmark>& expected, Support support = {});
 
 }  // namespace yorb

@@ -130,6 +130,13 @@ bool MovingCells::Has(float x_px, float y_px, float metres) const {
   return cell >= 0 && num_cells_ > 0 && metres < farthest_[static_cast<size_t>(cell)];
 }
 
+DepthGrid WithoutMovers(DepthGrid grid, const MovingCells& moving) {
+  for (size_t cell = 0; cell < moving.cells().size(); ++cell) {
+    if (moving.cells()[cell] != 0) grid.surface[cell] = grid.free[cell] = 0;
+  }
+  return grid;
+}
+
 void MoverFinder::Forget() {
   past_.Forget();
   frames_.clear();

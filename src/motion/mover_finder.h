@@ -36,6 +36,9 @@ class MovingCells {
   std::vector<float> farthest_;  ///< metres up to which a point belongs to what moves in or beside the cell; 0: nothing
 };
 
+/// A depth picture in which what moves counts as not measured.
+DepthGrid WithoutMovers(DepthGrid grid, const MovingCells& moving);
+
 /// Finds what moves in one picture after the other.
 class MoverFinder {
  public:

@@ -108,6 +108,16 @@ TEST(MoverFinder, IsNotMisledWhenTheMapIsCorrected) {
   EXPECT_EQ(tally.moving_of_thing + tally.moving_elsewhere, 0);
 }
 
+TEST(MoverFinder, WhatMovesIsNotMeasuredInAPictureWithoutMovers) {
+  DepthGrid grid;
+  grid.columns = 3, grid.rows = 1;
+  grid.surface = grid.free = {1, 2, 3};
+  const DepthGrid without = WithoutMovers(grid, {grid, {}, {0, 1, 0}});
+  EXPECT_EQ(without.surface, (std::vector<float>{1, 0, 3}));
+  EXPECT_EQ(without.free, (std::vector<float>{1, 0, 3}));
+  EXPECT_EQ(WithoutMovers(grid, {}).surface, grid.surface) << "nothing moves";
+}
+
 TEST(MoverFinder, KnowsNothingOfBeforeOnceItForgets) {
   MoverFinder finder;
   const Rig rig = DepthTestRig();

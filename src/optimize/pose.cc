@@ -135,9 +135,10 @@ std::vector<bool> Judge(const Rigid3& pose, const std::vector<PoseObservation>& 
 }
 
 Round Select(const std::vector<PoseObservation>& observations, const std::vector<bool>& is_chosen, bool use_huber,
-             const std::vector<PlaneObservation>* planes) {
+             const std::vector<PlaneObservation>* planes, const ExpectedPose* expected) {
   Round round;
   round.planes = planes;
+  round.expected = expected;
   round.use_huber = use_huber;
   round.observations.reserve(observations.size());
   for (size_t k = 0; k < observations.size(); ++k) {
@@ -157,7 +158,8 @@ double PoseEstimate::SigmaOfPlace() const {
 }
 
 PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
-                          const Projection& projection, const std::vector<PlaneObservation>& planes) {
+                          const Projection& projection, const std::vector<PlaneObservation>& planes,
+                          const std::optional<ExpectedPose>& expected) {
   PoseEstimate estimate;
   estimate.cam_from_world = cam_from_world;
   estimate.is_inlier.assign(observations.size(), false);
@@ -168,12 +170,12 @@ PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseOb
   std::vector<bool> is_inlier = is_usable;
   Rigid3 pose = cam_from_world;
   for (int k = 0; k < kRounds; ++k) {
-    const Round round = Select(observations, is_inlier, k + 1 < kRounds, &planes);
+    const Round round = Select(observations, is_inlier, k + 1 < kRounds, &planes, expected ? &*expected : nullptr);
     if (round.observations.size() < kMinObservations) return estimate;
     pose = Minimize(pose, round, projection);
     is_inlier = Judge(pose, observations, is_usable, projection);
   }
-  const Round inliers = Select(observations, is_inlier, false, nullptr);
+  const Round inliers = Select(observations, is_inlier, false, nullptr, nullptr);
   if (inliers.observations.size() < kMinObservations) return estimate;
 
   const Normal normal = LinearizeAt(pose, inliers, projection);
@@ -182,9 +184,10 @@ PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseOb
   estimate.num_inliers = inliers.observations.size();
   estimate.cost = normal.cost;
   estimate.information = normal.hessian;
-  Normal of_planes;
-  AddPlanes(pose, planes, of_planes);
-  estimate.plane_information = of_planes.hessian;
+  Normal held;
+  AddPlanes(pose, planes, held);
+  if (expected) AddExpected(pose, *expected, held);
+  estimate.held_by = held.hessian;
   return estimate;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/rigid3.h"
@@ -32,20 +33,12 @@ struct PoseEstimate {
   double cost = 0;  ///< half the weighted chi-square of the inliers at the end
   /// J^T W J of the inliers at the end, for (rotation, translation) of the step in Rigid3::FromStep.
   Matrix6d information = Matrix6d::Zero();
-  Matrix6d plane_information = Matrix6d::Zero();  ///< the same of the planes
+  Matrix6d held_by = Matrix6d::Zero();  ///< the same of the planes and of what was expected
 
   /// One standard deviation of the place, in metres, as far as the inliers err each by itself; infinite where they
   /// leave it open.
   double SigmaOfPlace() const;
 };
-
-/// The pose that least squares asks for: Levenberg-Marquardt with Huber weights, in four rounds after each of which
-/// every observation is judged anew by its chi-square (95 %); the last round goes without Huber, as in ORB-SLAM2.
-/// Points at or behind the camera and observations that are not finite are outliers. Where fewer than three
-/// observations remain, the given pose comes back without inliers. Planes are held to from beginning to end, with
-/// Huber's loss, and are not judged; cost and information are of the points alone.
-PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
-                          const Projection& projection, const std::vector<PlaneObservation>& planes = {});
 
 /// A pose that is known beforehand: half of error^T * information * error, for the step from it to another, is the cost
 /// of that.
@@ -53,6 +46,15 @@ struct ExpectedPose {
   Rigid3 cam_from_world;
   Matrix6d information;
 };
+
+/// The pose that least squares asks for: Levenberg-Marquardt with Huber weights, in four rounds after each of which
+/// every observation is judged anew by its chi-square (95 %); the last round goes without Huber, as in ORB-SLAM2.
+/// Points at or behind the camera and observations that are not finite are outliers. Where fewer than three
+/// observations remain, the given pose comes back without inliers. Planes are held to from beginning to end, with
+/// Huber's loss, and are not judged; so is what is expected. Cost and information are of the points alone.
+PoseEstimate OptimizePose(const Rigid3& cam_from_world, const std::vector<PoseObservation>& observations,
+                          const Projection& projection, const std::vector<PlaneObservation>& planes = {},
+                          const std::optional<ExpectedPose>& expected = {});
 
 /// The pose near a given one at which a depth picture lies best on planes and near to what is expected: a wall says
 /// nothing of where along it the camera is.

@@ -194,5 +194,16 @@ TEST(OptimizePose, StaysFiniteWhereThePoseIsNotDetermined) {
   EXPECT_EQ(Optimize(lost).num_inliers, 0u);
 }
 
+TEST(OptimizePose, WhatIsExpectedCountsByItsInformation) {
+  const PoseProblem problem = MakePoseProblem({0, 0, 0.3}, 50);
+  const Rigid3 elsewhere = Rigid3::FromStep(Vector6d::Constant(0.0005)) * problem.truth;
+  const auto expecting = [&](double information) {
+    const ExpectedPose expected{elsewhere, information * Matrix6d::Identity()};
+    return OptimizePose(problem.guess, problem.observations, problem.projection, {}, expected).cam_from_world;
+  };
+  EXPECT_LT(PoseDistance(expecting(1e-3), problem.truth), 1e-6);
+  EXPECT_LT(PoseDistance(expecting(1e12), elsewhere), 1e-6);
+}
+
 }  // namespace
 }  // namespace yorb

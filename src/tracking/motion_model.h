@@ -19,6 +19,12 @@ struct CameraRate {
 };
 
 /// Constant velocity, by the clock: a gap of two frames is a step of twice the length.
+/// A step that is likely: `information` is of the step of Rigid3::FromStep by which the true one is off.
+struct LikelyStep {
+  Rigid3 step;
+  Matrix6d information;
+};
+
 class MotionModel {
  public:
   /// The step between the two newest confirmed frames.
@@ -26,6 +32,10 @@ class MotionModel {
 
   /// The step to expect between two moments; none after a pause, when nothing is known of the motion any more.
   Rigid3 Predict(Timestamp from, Timestamp to) const;
+
+  /// The same with how sure it is, by the accelerations that hands and robots usually have. Nothing where Predict knows
+  /// nothing.
+  std::optional<LikelyStep> Expect(Timestamp from, Timestamp to) const;
 
   /// Whether a hand or a robot can have brought the camera there: its speed and turn have changed by no more than
   /// their acceleration allows, from the newest step or, which may have been a little off, the one before. True where

@@ -77,5 +77,19 @@ TEST(MotionModel, IsSteadyOnceTwoStepsAgree) {
   EXPECT_TRUE(motion.IsSteady(kEase));
 }
 
+TEST(MotionModel, ExpectsWhatItPredictsAndIsLessSureOfItTheLongerItTakes) {
+  MotionModel motion;
+  EXPECT_FALSE(motion.Expect(Ms(0), Ms(100))) << "nothing is known";
+  motion.Observe(Ms(0), Ms(100), Shift(0.06));
+  const auto soon = motion.Expect(Ms(100), Ms(133)), later = motion.Expect(Ms(100), Ms(200));
+  ASSERT_TRUE(soon && later);
+  EXPECT_EQ(later->step.translation, motion.Predict(Ms(100), Ms(200)).translation);
+  EXPECT_TRUE((soon->information.diagonal().array() > 2 * later->information.diagonal().array()).all());
+  const double sigma_m = 1 / std::sqrt(later->information(5, 5));
+  EXPECT_GT(sigma_m, 0.005);
+  EXPECT_LT(sigma_m, 0.1) << "of a hand, in a tenth of a second";
+  EXPECT_FALSE(motion.Expect(Ms(100), Ms(900))) << "after a pause";
+}
+
 }  // namespace
 }  // namespace yorb

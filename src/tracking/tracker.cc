@@ -90,17 +90,18 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   }
   if (!task_.only_locates) CountSeen(*located);
   Fix& fix = located->fix;
-  NoteMotion(*frame, map, fix);
+  const Support support = SupportFor(*frame, map, fix);
+  NoteMotion(*frame, map, *located);
   if (const FramePtr better = WithoutShutter(raw_frame, motion_.RateWhileReading(raw_frame->rig->readout_s));
       better != raw_frame) {
     frame = better;
-    fix = Refit(*frame, map, fix, SurfacesFor(*frame, map, fix));
+    fix = Refit(*frame, map, fix, support);
   }
   frame = WithoutDoubtful(frame, fix);
+  const MovingCells movers = FindMovers(frame, map, *located);
+  tracked.moving = LeaveOut(movers, frame, map, fix, support);
   Remember(frame, map, *located);
-  surfaces_.Add(sight_.depth, frame->timestamp, {last_.reference, last_.cam_from_reference});
-  tracked.moving = LeaveOutMovers(frame, map, fix);
-  if (!tracked.moving.empty()) Remember(frame, map, *located);
+  surfaces_.Add(WithoutMovers(sight_.depth, movers), frame->timestamp, {last_.reference, last_.cam_from_reference});
   last_.picture = raw_frame;
   if (!task_.only_locates) CountGone(*frame, map, *located);
   tracked.record.reference = last_.reference;
@@ -180,8 +181,8 @@ std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) co
     if (num_matches < static_cast<std::ptrdiff_t>(kFewMatches)) return false;
     Fix fix = FixFromPoints(frame, guess, points, rows);
     if (fix.num_in_all() < kFewMatches) return false;
-    const Planes planes = SurfacesFor(frame, map, fix);
-    if (!planes.empty()) fix = FixFromPoints(frame, fix.cam_from_world, points, rows, {planes, {}});
+    const Support support = SupportFor(frame, map, fix);
+    if (!support.empty()) fix = FixFromPoints(frame, fix.cam_from_world, points, rows, support);
     if (!best || Speaking(frame, map, fix) > Speaking(frame, map, *best)) best = std::move(fix);
     return IsConvincing(*best);
   };
@@ -252,7 +253,7 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   const auto widening = static_cast<float>(options_.local_widening);
   const std::vector<ExpectedLandmark> expected =
       ExpectLocalLandmarks(map, local, frame, coarse.cam_from_world, coarse.matches, widening);
-  located.fix = FixWithExpected(frame, map, coarse, expected, SurfacesFor(frame, map, coarse));
+  located.fix = FixWithExpected(frame, map, coarse, expected, SupportFor(frame, map, coarse));
   located.visible = coarse.matches;
   for (const ExpectedLandmark& e : expected) located.visible.push_back(e.id);
   constexpr size_t kFarMore = 3;
@@ -313,7 +314,21 @@ void Tracker::CountSeen(const Located& located) {
   }
 }
 
-void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
+/// Whether a pose is in another sub-map than the one before: nothing leads from there to here.
+bool Tracker::IsElsewhere(const Located& located, const Map& map) const {
+  if (!last_.frame) return false;
+  const Keyframe* before = map.Find(map.Surviving(last_.reference));
+  return before && map.Find(PlaceOf(located, map).reference)->root != before->root;
+}
+
+void Tracker::NoteMotion(const Frame& frame, const Map& map, const Located& located) {
+  const Fix& fix = located.fix;
+  if (IsElsewhere(located, map)) {
+    motion_.Forget();
+    movers_.Forget();
+    surfaces_.Forget();
+    state_ = TrackingState::kLost;
+  }
   if (state_ == TrackingState::kTracking || motion_.rate()) {
     motion_.Observe(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
   } else {
@@ -326,13 +341,18 @@ void Tracker::NoteMotion(const Frame& frame, const Map& map, const Fix& fix) {
   sought_since_.reset();
 }
 
-void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& located) {
-  const Fix& fix = located.fix;
+CameraPlace Tracker::PlaceOf(const Located& located, const Map& map) const {
   const KeyframeId reference =
       located.local.reference.IsValid() ? located.local.reference : map.Surviving(last_.reference);
+  return {reference, located.fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse()};
+}
+
+void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& located) {
+  const Fix& fix = located.fix;
+  const CameraPlace place = PlaceOf(located, map);
   last_ = {frame,
-           reference,
-           fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse(),
+           place.reference,
+           place.cam_from_reference,
            fix.matches,
            CountValid(fix.matches),
            fix.num_in_all() == 0 ? last_.num_blind + 1 : 0,

@@ -114,9 +114,13 @@ class Tracker {
   bool IsAlone(const Frame& frame) const;
   void CountSeen(const Located& located);
   void CountGone(const Frame& frame, const Map& map, const Located& located);
-  std::vector<Keypoint> LeaveOutMovers(FramePtr& frame, const Map& map, Fix& fix);
-  Planes SurfacesFor(const Frame& frame, const Map& map, const Fix& fix) const;
-  void NoteMotion(const Frame& frame, const Map& map, const Fix& fix);
+  MovingCells FindMovers(const FramePtr& frame, const Map& map, const Located& located);
+  std::vector<Keypoint> LeaveOut(const MovingCells& movers, FramePtr& frame, const Map& map, Fix& fix,
+                                 const Support& support);
+  Support SupportFor(const Frame& frame, const Map& map, const Fix& fix) const;
+  bool IsElsewhere(const Located& located, const Map& map) const;
+  void NoteMotion(const Frame& frame, const Map& map, const Located& located);
+  CameraPlace PlaceOf(const Located& located, const Map& map) const;
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
   void NoteLoss(const Frame& frame, bool was_refused);
   bool IsTimeForANewMap(const Frame& frame, size_t backlog) const;

@@ -20,11 +20,17 @@ void Tracker::AddDepthPointsOfLast(const Map& map, std::vector<KnownPoint>& poin
   }
 }
 
-/// Surfaces of before, where the points alone leave a pose unsure: few, or all in one corner.
-Planes Tracker::SurfacesFor(const Frame& frame, const Map& map, const Fix& fix) const {
+/// Surfaces of before and the camera's motion, where the points alone leave a pose unsure: few, or all in one corner.
+Support Tracker::SupportFor(const Frame& frame, const Map& map, const Fix& fix) const {
   constexpr double kUnsureM = 0.01;
-  if (sight_.depth.empty() || fix.sigma_m < kUnsureM) return {};
-  return surfaces_.Pair(sight_.depth, *frame.rig, fix.cam_from_world, map);
+  if (fix.sigma_m < kUnsureM) return {};
+  Support support;
+  if (!sight_.depth.empty()) support.planes = surfaces_.Pair(sight_.depth, *frame.rig, fix.cam_from_world, map);
+  if (state_ != TrackingState::kTracking) return support;
+  if (const auto likely = motion_.Expect(last_.frame->timestamp, frame.timestamp)) {
+    support.expected = ExpectedPose{likely->step * LastPose(map), likely->information};
+  }
+  return support;
 }
 
 /// Where the depth picture lies best on the surfaces of before, not far from where the camera should be by now. Nothing
@@ -56,7 +62,7 @@ std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map
   AddDepthPointsOfLast(map, points);
   const auto radius_px = static_cast<float>(options_.search_radius_px);
   const std::vector<int> rows = MatchKnownPoints(frame, *guess, LastPose(map), points, radius_px);
-  Fix fix = FixFromPoints(frame, *guess, points, rows, {surfaces_.Pair(sight_.depth, *frame.rig, *guess, map), {}});
+  Fix fix = FixFromPoints(frame, *guess, points, rows, {surfaces_.Pair(sight_.depth, *frame.rig, *guess, map), {}, {}});
   if (fix.num_in_all() < kFewMatches) return std::nullopt;
   return fix;
 }
@@ -90,14 +96,19 @@ void Tracker::CountGone(const Frame& frame, const Map& map, const Located& locat
   }
 }
 
+MovingCells Tracker::FindMovers(const FramePtr& frame, const Map& map, const Located& located) {
+  if (sight_.depth.empty() || !task_.finds_movers) return {};
+  PosedFrame posed{frame, std::vector<bool>(frame->size()), PlaceOf(located, map)};
+  for (size_t i = 0; i < frame->size(); ++i) posed.is_known[i] = located.fix.matches[i].IsValid();
+  return movers_.Find(std::move(posed), sight_.depth, map);
+}
+
 /// Takes the points on what moves out of a frame and what was found of it; gives those points. Landmarks that move with
 /// them, if only few keyframes know them, are as good as gone.
-std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const Map& map, Fix& fix) {
+std::vector<Keypoint> Tracker::LeaveOut(const MovingCells& movers, FramePtr& frame, const Map& map, Fix& fix,
+                                        const Support& support) {
   constexpr size_t kEnoughMatches = 20;  // to find the pose anew without what moves
-  if (sight_.depth.empty() || !task_.finds_movers) return {};
-  PosedFrame posed{frame, std::vector<bool>(frame->size()), {last_.reference, last_.cam_from_reference}};
-  for (size_t i = 0; i < frame->size(); ++i) posed.is_known[i] = fix.matches[i].IsValid();
-  const auto is_moving = PointsOnMovers(*frame, movers_.Find(std::move(posed), sight_.depth, map));
+  const auto is_moving = PointsOnMovers(*frame, movers);
   std::vector<Keypoint> moving;
   for (size_t i = 0; i < is_moving.size(); ++i) {
     if (!is_moving[i]) continue;
@@ -113,7 +124,7 @@ std::vector<Keypoint> Tracker::LeaveOutMovers(FramePtr& frame, const Map& map, F
   frame = WithoutRows(frame, is_moving);
   fix.matches = WithoutRows(std::move(fix.matches), is_moving);
   fix.by_depth = WithoutRows(fix.by_depth, is_moving);
-  if (fix.num_in_all() >= kEnoughMatches) fix = Refit(*frame, map, fix);
+  if (fix.num_in_all() >= kEnoughMatches) fix = Refit(*frame, map, fix, support);
   return moving;
 }
 

@@ -85,17 +85,19 @@ std::optional<Fix> Tracker::TrackFromLastByFlow(const Frame& frame, const Map& m
   constexpr size_t kFewFollowed = 10, kEnoughCorners = 50;
   constexpr float kRadiusPx = 3;
   if (sight_.grey.empty() || last_.grey.size() != sight_.grey.size()) return std::nullopt;
-  Support support{{}, FollowPointsOfLast(frame, map)};
+  Support support;
+  support.followed = FollowPointsOfLast(frame, map);
   const std::vector<int> no_rows(frame.size(), -1);
   Fix fix = FixFromPoints(frame, PredictedPose(frame, map), {}, no_rows, support);
   if (fix.followed.size() < kFewFollowed || !IsConvincing(fix) || !GoesOn(frame, map, fix)) return std::nullopt;
   std::vector<KnownPoint> points = LandmarksOfLast(map);
   AddDepthPointsOfLast(map, points);
   const auto rows = MatchKnownPoints(frame, fix.cam_from_world, LastPose(map), points, kRadiusPx);
-  support.planes = SurfacesFor(frame, map, fix);
-  fix = FixFromPoints(frame, fix.cam_from_world, points, rows, {support.planes, {}});
+  Support beside = SupportFor(frame, map, fix);
+  fix = FixFromPoints(frame, fix.cam_from_world, points, rows, beside);
   if (fix.num_in_all() >= kEnoughCorners && IsConvincing(fix)) return fix;
-  fix = FixFromPoints(frame, fix.cam_from_world, points, rows, support);
+  beside.followed = std::move(support.followed);
+  fix = FixFromPoints(frame, fix.cam_from_world, points, rows, beside);
   if (fix.num_in_all() < kFewMatches) return std::nullopt;
   return fix;
 }
