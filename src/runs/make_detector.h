@@ -18,8 +18,9 @@ struct RunParts {
   double sure_confidence = 0;
 };
 
-/// The vocabulary, the detector that a run needs, and how its classes move: none with `dynamics` off; the boxes of
-/// `detections` where a file is named (exact needs one); else the network. Bad input names file and remedy.
+/// The vocabulary, the map to go on from, the detector that a run needs, and how its classes move: none with `dynamics`
+/// off; the boxes of `detections` where a file is named (exact needs one); else the network. Bad input names file and
+/// remedy.
 Result<RunParts> MakeParts(const Config& config, const Dataset& dataset);
 
 }  // namespace yorb

@@ -226,9 +226,6 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
   if (!parts) return parts.error();
   Run run{dataset, options, options.out, CameraFileText(dataset.rig()), {}};
   run.num_boxes_unmatched = parts->num_boxes_unmatched;
-  auto loaded = LoadRunMap(options.config, dataset.rig());
-  if (!loaded) return loaded.error();
-  parts->slam.map = *std::move(loaded);
   run.vocabulary = parts->slam.vocabulary;
   ReturnFreedMemory();  // of the files that all of it was made from
   if (options.out.empty()) {
