@@ -37,11 +37,13 @@ std::string RangeOf(const std::vector<Timestamp>& times) {
   return ToString(*range.first) + " to " + ToString(*range.second);
 }
 
+constexpr const char* kOtherAssociations[] = {"associate.txt", "association.txt", "associated.txt"};
+
 /// associations.txt, or the other names that it goes by where there is no rgb.txt; empty if none is there.
 std::string AssociationsFile(const std::string& folder) {
   if (Exists(In(folder, "associations.txt"))) return In(folder, "associations.txt");
   if (Exists(In(folder, "rgb.txt"))) return "";
-  for (const char* name : {"associate.txt", "association.txt", "associated.txt"}) {
+  for (const char* name : kOtherAssociations) {
     if (Exists(In(folder, name))) return In(folder, name);
   }
   return "";
@@ -177,6 +179,12 @@ Error UnknownDepthFactor(const Rig& rig, const std::string& picture) {
 
 size_t TumLists::NumWithDepth() const {
   return static_cast<size_t>(std::count_if(depth_of.begin(), depth_of.end(), [](int index) { return index >= 0; }));
+}
+
+std::vector<std::string> ListNames() {
+  std::vector<std::string> names = {"associations.txt", "rgb.txt", "depth.txt"};
+  names.insert(names.end(), std::begin(kOtherAssociations), std::end(kOtherAssociations));
+  return names;
 }
 
 bool HasTumLayout(const std::string& folder) {

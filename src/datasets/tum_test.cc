@@ -139,6 +139,24 @@ TEST_F(Recording, AssociationsWin) {
   EXPECT_THAT(Complaint(), HasSubstr("associations.txt, line 2"));
 }
 
+TEST_F(Recording, TheColourListAloneIsThatOfTheRecordingByAnyOfItsNames) {
+  const TestFolder lists;
+  EXPECT_FALSE(ReadColourList(lists.Path()).ok());
+  lists.Write("associated.txt",
+              "stamp file stamp file\n1.01,depth/a.png,1.0,rgb/a.png\n2.01,depth/b.png,2.0,rgb/b.png,7\n");
+  const auto read = ReadColourList(lists.Path());
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->Times(), (std::vector<Timestamp>{{1000000000}, {2000000000}}));
+  const std::vector<std::string> names = ListNames();
+  EXPECT_THAT(names, testing::Contains(std::filesystem::path(read->file).filename().string()));
+  lists.Write("rgb.txt", "timestamp filename\n1.0 a.png\n2.0 b.png\n3.0 c.png\n");
+  EXPECT_EQ(ReadColourList(lists.Path())->Times().size(), 3u);
+  lists.Write("associations.txt", "1.0 rgb/a.png 1.01 depth/a.png\n1.0 rgb/b.png 2.01 depth/b.png\n");
+  const auto repeated = ReadColourList(lists.Path());
+  ASSERT_FALSE(repeated.ok());
+  EXPECT_THAT(repeated.error().message, HasSubstr("associations.txt, line 2"));
+}
+
 TEST_F(Recording, FloatDepthNeedsNoFactorAndUnitsDo) {
   folder_.Write("bare.yaml", "fx: 50\nfy: 50\ncx: 31.5\ncy: 23.5\n");
   EXPECT_THAT(Complaint("seq", folder_.Path("bare.yaml")), HasSubstr("depth_factor"));

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "evaluation/coverage.h"
+#include "evaluation/associate.h"
 
 namespace yorb {
 namespace {
@@ -14,6 +14,7 @@ namespace {
 constexpr double kLongestOffset = 4e9;  // seconds; sums with any stamp stay whole
 constexpr double kManyOdd = 0.05;       // share of odd RPE pairs worth a word
 constexpr double kLongStep = 10;        // seconds between frames: rather counts or another unit
+constexpr double kPictureNear = 0.02;   // seconds from a picture to the pose that covers it
 
 int64_t Nanoseconds(double seconds) { return std::llround(1e9 * seconds); }
 
@@ -83,12 +84,20 @@ void WarnOfDegeneracy(Evaluation& evaluation) {
   }
 }
 
+/// The share of the pictures that have a pose near in time, each pose counted once. `offset` seconds are added to the
+/// poses' stamps.
+double CoverageOf(const std::vector<Timestamp>& pictures, const Trajectory& estimate, double offset) {
+  if (pictures.empty()) return 0;
+  const size_t covered = AssociateStamps(pictures, StampsOf(estimate), kPictureNear, offset).size();
+  return static_cast<double>(covered) / static_cast<double>(pictures.size());
+}
+
 /// Fills in the coverage, where the sequence is known.
 std::optional<double> Coverage(const ReadTrajectory& estimate, const EvalOptions& options,
                                std::vector<std::string>& warnings) {
   if (options.pictures) {
     // The pictures' clock is mostly the estimate's own; where it is the reference's, the offset leads to it.
-    return std::max(CoverageOf(*options.pictures, estimate.poses),
+    return std::max(CoverageOf(*options.pictures, estimate.poses, 0),
                     CoverageOf(*options.pictures, estimate.poses, options.time_offset));
   }
   if (!options.num_frames) return std::nullopt;
