@@ -44,7 +44,6 @@ Status CheckArguments(const DynamicArguments& arguments) {
     if (std::find(DynamicWays().begin(), DynamicWays().end(), way) != DynamicWays().end()) continue;
     return BadInput("--way: " + way + " is none; did you mean " + NearestWord(way, DynamicWays()) + "?");
   }
-  if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
   return Status::Ok();
 }
 

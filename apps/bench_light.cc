@@ -65,7 +65,6 @@ Result<LightReport> Measure(const LightArguments& arguments) {
   if (!lights) return lights.error();
   const auto seeds = SeedsOf(arguments.seeds);
   if (!seeds) return seeds.error();
-  if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
   const auto sequence = OpenSequence(arguments.sequence);
   if (!sequence) return sequence.error();
   const auto truth = ReadTruthBeside(sequence->folder);

@@ -200,7 +200,6 @@ Status CheckPicturesStay(const DetectArguments& arguments) {
 Status DetectAll(const DetectArguments& arguments, const DetectionOptions& options) {
   if (arguments.places.empty())
     return BadInput("yorb detect needs a picture, folder, video or sequence, or --evaluate DIR");
-  if (arguments.save && arguments.save->empty()) return BadInput("--save is empty; name a folder");
   auto detector = OpenDetector(arguments, options);
   if (!detector) return detector.error();
   auto classes = ClassesOf(arguments, (*detector)->names());

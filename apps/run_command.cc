@@ -79,9 +79,6 @@ Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
 
 int Run(const RunArguments& arguments) {
   CatchSignals();
-  if (arguments.out && arguments.out->empty()) return Complain(BadInput("--out is empty; name a folder"));
-  if (arguments.save_map && arguments.save_map->empty()) return Complain(BadInput("--save-map is empty; name a file"));
-  if (arguments.load_map && arguments.load_map->empty()) return Complain(BadInput("--load-map is empty; name a file"));
   const Status started = StartLog({.keeps_text = true});
   if (!started) return Complain(started.error());
   const auto summary = RunAsAsked(arguments);

@@ -115,8 +115,6 @@ Result<long long> WholeNumber(const std::string& option, const std::string& text
 
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   OpenedSequence opened;
-  if (options.camera && options.camera->empty()) return BadInput("--camera is empty; give a file or a name");
-  if (options.config && options.config->empty()) return BadInput("--config is empty; give a file");
   const auto places = SortPlaces(options.places);
   if (!places) return places.error();
   opened.folder = places->folder;

@@ -113,6 +113,18 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error) {
   return FullName(command) + ": " + error.what() + help;
 }
 
+/// Bad input for an option with nothing behind it, as scripts give it whose variable is not set: taken as left out, it
+/// would be ignored in silence. Whoever asks for a folder by position complains of an empty one himself.
+Status CheckValues(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    const bool is_named = !option->get_lnames().empty();
+    if (is_named && std::any_of(values.begin(), values.end(), [](const std::string& v) { return v.empty(); }))
+      return BadInput("--" + option->get_lnames().front() + " is empty; give a value, or leave it out");
+  }
+  return Status::Ok();
+}
+
 int ReadAndAct(int argc, char** argv) {
   CLI::App program{"yorb: visual SLAM that stays accurate among moving people", "yorb"};
   program.require_subcommand(1);
@@ -137,6 +149,7 @@ int ReadAndAct(int argc, char** argv) {
     if (error.get_exit_code() == 0) return program.exit(error);  // help or version, on standard output
     return Complain(BadInput(Explain(program, error)));
   }
+  if (const Status given = CheckValues(ChosenCommand(program)); !given) return Complain(given.error());
   return action();
 }
 
