@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "core/log.h"
 #include "core/text.h"
 #include "runs/version.h"
 
@@ -150,7 +151,9 @@ int ReadAndAct(int argc, char** argv) {
     return Complain(BadInput(Explain(program, error)));
   }
   if (const Status given = CheckValues(ChosenCommand(program)); !given) return Complain(given.error());
-  return action();
+  const int code = action();
+  SumUpWarnings();  // of commands that keep no log: a warning that repeats is counted, never lost
+  return code;
 }
 
 /// Whether standard output goes into a pipe whose reader has seen enough (`| head`).

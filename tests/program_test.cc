@@ -189,6 +189,14 @@ TEST_F(Program, EvalNeverOverwritesWhatItReads) {
   for (int times = 0; times < 2; ++times) EXPECT_EQ(Call(with("--csv", In("errors.csv"))).code, 0) << "its own results";
 }
 
+TEST_F(Program, WarningsThatRepeatAreCountedByCommandsWithoutALogToo) {
+  SyntheticDataset(8).WriteTo(In("torn"));
+  for (int i = 2; i < 7; ++i) ASSERT_TRUE(WriteFileWhole(In("torn/rgb/" + std::to_string(i) + ".png"), "").ok());
+  const Outcome outcome = Call({"bench", "speed", In("torn"), "--dynamics", "off", "--mode", "inline"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("more of these warnings"));
+}
+
 TEST_F(Program, AnUnusableOutputFolderIsRefusedBeforeAnyWork) {
   ASSERT_TRUE(WriteFileWhole(In("plain"), "mine").ok());
   ExpectRefused("plain", {"run", In("room"), "--out", In("plain")});
