@@ -37,9 +37,9 @@ Result<std::vector<std::string>> ModelsOf(const DetectorArguments& arguments) {
   return std::vector<std::string>{*ours};
 }
 
-Result<std::vector<FileToWrite>> FiguresOf(const DetectorArguments& arguments, const DetectorBenchOptions& options) {
+Result<DetectorFigureFiles> FiguresOf(const DetectorArguments& arguments, const DetectorBenchOptions& options) {
   constexpr size_t kMostFigures = 12;
-  if (!arguments.pictures) return std::vector<FileToWrite>{};
+  if (!arguments.pictures) return DetectorFigureFiles();
   std::vector<std::string> pictures = PicturesUnder(*arguments.pictures);
   if (pictures.empty()) return BadInput("--pictures " + *arguments.pictures + " holds no pictures");
   pictures.resize(std::min(pictures.size(), kMostFigures));
@@ -67,12 +67,15 @@ Status Bench(const DetectorArguments& arguments) {
   const auto report = MeasureDetectors(options);
   if (!report) return report.error();
   std::fputs((arguments.wants_json ? DetectorJson(*report) : DetectorText(*report)).c_str(), stdout);
-  if (!arguments.out) return Status::Ok();
-  auto files = FiguresOf(arguments, options);
-  if (!files) return files.error();
-  files->push_back({*arguments.out + "/detector.txt", DetectorText(*report)});
-  files->push_back({*arguments.out + "/detector.json", DetectorJson(*report)});
-  return WriteFilesTogether(*files);
+  Unreadable unreadable = report->unreadable();
+  if (!arguments.out) return unreadable.Told();
+  auto figures = FiguresOf(arguments, options);
+  if (!figures) return figures.error();
+  figures->files.push_back({*arguments.out + "/detector.txt", DetectorText(*report)});
+  figures->files.push_back({*arguments.out + "/detector.json", DetectorJson(*report)});
+  if (const Status written = WriteFilesTogether(figures->files); !written) return written;
+  unreadable.Add(figures->unreadable);
+  return unreadable.Told();
 }
 
 }  // namespace

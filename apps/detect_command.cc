@@ -24,6 +24,7 @@
 #include "runs/draw_boxes.h"
 #include "runs/judge_detector.h"
 #include "runs/picture_source.h"
+#include "runs/unreadable.h"
 
 namespace yorb {
 namespace {
@@ -149,21 +150,6 @@ class BoxOutput {
   std::set<std::string> written_;
 };
 
-/// Pictures that could not be read, told at the end so that the others are done before.
-struct Unreadable {
-  size_t count = 0, num_pictures = 0;
-  std::string first;
-
-  void Add(const Error& error) {
-    if (count++ < 3) first += (first.empty() ? "" : "; ") + error.message;
-  }
-  Error Told() const {
-    if (count == 1) return BadInput(first);
-    const std::string more = count > 3 ? "; and " + std::to_string(count - 3) + " more" : "";
-    return BadInput(std::to_string(count) + " pictures or sources cannot be read: " + first + more);
-  }
-};
-
 Status DetectIn(PictureSource& source, YoloDetector& detector, BoxOutput& output, Unreadable& unreadable) {
   while (source.HasNext() && !IsStopAsked()) {
     const auto picture = source.Next();
@@ -218,7 +204,7 @@ Status DetectAll(const DetectArguments& arguments, const DetectionOptions& optio
     }
     if (Status status = DetectIn(**source, **detector, output, unreadable); !status) return status;
   }
-  return unreadable.count > 0 ? Status(unreadable.Told()) : Status::Ok();
+  return unreadable.Told();
 }
 
 Status EvaluateDetector(const DetectArguments& arguments, const DetectionOptions& options) {
@@ -237,7 +223,7 @@ Status EvaluateDetector(const DetectArguments& arguments, const DetectionOptions
   const auto judgement = JudgeDetector(*set, **detector, {*confidence, *classes, IsStopAsked});
   if (!judgement) return judgement.error();
   std::fputs((arguments.wants_json ? JudgementJson(*judgement) : JudgementText(*judgement)).c_str(), stdout);
-  return Status::Ok();
+  return judgement->unreadable.Told();
 }
 
 int Detect(const DetectArguments& arguments) {

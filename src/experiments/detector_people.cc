@@ -88,7 +88,10 @@ Result<PeopleScore> MeasurePeople(const std::string& sequence, Detector& detecto
   sum.sequence = std::filesystem::path(sequence).lexically_normal().filename().string();
   while ((*source)->HasNext() && !(should_stop && should_stop())) {
     const auto picture = (*source)->Next();
-    if (!picture) return picture.error();
+    if (!picture) {
+      sum.unreadable.Add(picture.error());
+      continue;
+    }
     if (!picture->time) return BadInput(sequence + " is no sequence with time stamps, which people.txt refers to");
     const auto detections = detector.Detect(ImageSetOf(picture->pixels));
     if (!detections) return detections.error();

@@ -49,6 +49,34 @@ TEST(JudgeDetector, ClassesAreMatchedByNameHoweverTheyAreNumberedAndSpelt) {
   EXPECT_EQ(only->scores.classes.size(), 1u);
 }
 
+TEST(JudgeDetector, JudgesTheOthersWherePicturesCannotBeRead) {
+  const TestFolder folder;
+  folder.Write("images/a.png", "");
+  folder.WritePicture("images/b.png", TestColour(0));  // 64x48
+  folder.Write("labels/a.txt", "0 0.5 0.5 0.5 0.5\n");
+  folder.Write("labels/b.txt", "0 0.5 0.5 0.5 0.5\n");
+  folder.Write("classes.txt", "cup\n");
+  const auto set = ReadLabelledSet(folder.Path(), "");
+  ASSERT_TRUE(set) << set.error().message;
+  SureDetector detector({{"cup", .9, 16, 12, 48, 36}});
+  const auto judgement = JudgeDetector(*set, detector, {});
+  ASSERT_TRUE(judgement) << judgement.error().message;
+  EXPECT_EQ(judgement->num_pictures, 1u);
+  EXPECT_NEAR(judgement->scores.map50.value(), 1, 1e-9);
+  EXPECT_THAT(judgement->unreadable.Told().error().message, testing::HasSubstr("a.png"));
+}
+
+TEST(Unreadable, NamesTheFirstThreeAndCountsTheOthers) {
+  Unreadable some, others;
+  EXPECT_TRUE(some.Told().ok());
+  some.Add(BadInput("a is torn"));
+  EXPECT_EQ(some.Told().error().message, "a is torn");
+  for (const char* name : {"b", "c", "d"}) others.Add(BadInput(name + std::string(" is torn")));
+  some.Add(others);
+  EXPECT_EQ(some.Told().error().message,
+            "4 pictures or sources cannot be read: a is torn; b is torn; c is torn; and 1 more");
+}
+
 TEST(JudgeDetector, TellsOfASetAndANetworkWithoutANameInCommon) {
   const TestFolder folder;
   folder.WritePicture("images/a.png", TestColour(0));
