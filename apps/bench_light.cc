@@ -16,6 +16,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "experiments/light_text.h"
+#include "runs/run_folder.h"
 
 namespace yorb {
 namespace {
@@ -69,6 +70,9 @@ Result<LightReport> Measure(const LightArguments& arguments) {
   if (!sequence) return sequence.error();
   const auto truth = ReadTruthBeside(sequence->folder);
   if (!truth) return truth.error();
+  if (arguments.out) {
+    if (const Status usable = PrepareRunFolder(*arguments.out); !usable) return usable.error();
+  }
   Progress progress(arguments.wants_json);
   LightBenchHooks hooks;
   hooks.should_stop = IsStopAsked;

@@ -204,6 +204,26 @@ TEST_F(Program, AnUnusableOutputFolderIsRefusedBeforeAnyWork) {
   EXPECT_EQ(*ReadWholeText(In("plain")), "mine");
 }
 
+TEST_F(Program, BenchesTryTheirFolderBeforeAnyWork) {
+  const std::string taken = In("plain/bench");
+  ASSERT_TRUE(WriteFileWhole(In("plain"), "mine").ok());
+  ExpectRefused("plain", {"bench", "features", In("room/rgb"), "--out", taken});
+  ExpectRefused("plain", {"bench", "light", In("room"), "--out", taken});
+  ExpectRefused("plain", {"bench", "detector", "--out", taken});
+  ExpectRefused("holds no pictures", {"bench", "detector", "--out", In("bench"), "--pictures", In("nothere")});
+}
+
+TEST_F(Program, PlacesOfOneNameHaveTheirOwnFigures) {
+  for (const char* folder : {"one/office", "two/office"}) {
+    std::filesystem::create_directories(In(folder));
+    std::filesystem::copy_file(In("room/rgb/0.png"), In(folder + std::string("/0.png")));
+  }
+  const Outcome outcome = Call({"bench", "features", In("one/office"), In("two/office"), "--out", In("figures")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* name : {"office", "office_2"})
+    EXPECT_TRUE(std::filesystem::exists(In("figures/" + std::string(name) + "_figure5_light.png"))) << name;
+}
+
 TEST_F(Program, QuietRunsPrintNothingAndOthersAFewLines) {
   const Outcome quiet = Call({"run", In("room"), "--mode", "inline", "--out", In("quiet"), "--quiet"});
   EXPECT_EQ(quiet.code, 0) << quiet.err;

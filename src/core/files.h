@@ -32,7 +32,7 @@ struct FileToWrite {
 };
 
 /// Writes several files that belong together: none is put in its place before all of them could be written, so that a
-/// full disk leaves the old ones as they were.
+/// full disk leaves the old ones as they were. Their paths must differ.
 Status WriteFilesTogether(const std::vector<FileToWrite>& files);
 
 }  // namespace yorb

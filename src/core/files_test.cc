@@ -50,6 +50,10 @@ TEST_F(Files, LeaveNoDraftsBehind) {
   EXPECT_EQ(Text("a") + Text("b"), "12");
 }
 
+TEST_F(Files, TwoOfOnePathAreAMistakeOfOurs) {
+  EXPECT_DEATH((void)WriteFilesTogether({{folder_ + "a", "1"}, {folder_ + "a", "2"}}), "two files of one path");
+}
+
 TEST_F(Files, NoneIsReplacedWhereOneCannotBeWritten) {
   ASSERT_TRUE(WriteFilesTogether({{folder_ + "a", "old"}, {folder_ + "b", "old"}}).ok());
   const Status status = WriteFilesTogether({{folder_ + "a", "new"}, {folder_ + "b", "new"}, {folder_ + "a/c", "new"}});

@@ -179,6 +179,7 @@ Unreadable DetectorReport::unreadable() const {
 
 Result<DetectorFigureFiles> DetectorFigures(const std::vector<std::string>& pictures,
                                             const DetectorBenchOptions& options, const std::string& folder) {
+  if (pictures.empty()) return DetectorFigureFiles();
   std::vector<std::unique_ptr<YoloDetector>> detectors;
   for (const std::string& path : options.models) {
     auto detector = YoloDetector::Open(OptionsFor(path, options));

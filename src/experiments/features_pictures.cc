@@ -8,7 +8,7 @@
 
 #include "core/log.h"
 #include "datasets/open_dataset.h"
-#include "datasets/picture_list.h"
+#include "datasets/tum.h"
 #include "evaluation/trajectory_io.h"
 #include "pictures/picture_file.h"
 #include "pictures/picture_folder.h"
@@ -47,9 +47,7 @@ Result<PictureSet> OpenPictureSet(const std::string& place, const std::string& c
   set.name = NameOf(place);
   std::error_code error;
   if (!fs::exists(place, error)) return BadInput(place + " does not exist");
-  const bool is_sequence =
-      fs::exists(fs::path(place) / "rgb.txt", error) || fs::exists(fs::path(place) / "associations.txt", error);
-  if (!is_sequence) return OpenLoosePictures(std::move(set), place);
+  if (!HasTumLayout(place)) return OpenLoosePictures(std::move(set), place);
   auto dataset = OpenDataset(place, camera);
   if (!dataset) return dataset.error();
   set.dataset = *std::move(dataset);
