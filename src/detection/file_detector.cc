@@ -60,8 +60,8 @@ Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, co
     LogWarning("boxes-unmatched", file.path + ": " + std::to_string(detector->num_unmatched_) +
                                       " boxes are farther than 15 ms from every picture and are left out");
   }
-  if (file.num_dropped > 0) {
-    LogWarning("boxes-dropped", file.path + ": " + std::to_string(file.num_dropped) +
+  if (const size_t num_dropped = file.num_dropped(); num_dropped > 0) {
+    LogWarning("boxes-dropped", file.path + ": " + std::to_string(num_dropped) +
                                     " boxes are empty, swapped or no numbers and are left out");
   }
   return detector;
@@ -90,12 +90,14 @@ Result<Detections> FileDetector::Detect(const ImageSet& images) {
     detections.says_nobody = detections.has_looked;
     return detections;
   }
+  size_t num_dropped = 0;
   for (TimedBoxes moment : found->second) {
+    num_dropped += moment.num_dropped;
     if (const Status scaled = Scale(moment, images.grey.cols, images.grey.rows); !scaled) return scaled.error();
     boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
   }
   std::stable_sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.confidence > b.confidence; });
-  detections.says_nobody = boxes.empty();
+  detections.says_nobody = boxes.empty() && num_dropped == 0;
   for (const Box& whole : boxes) {
     const Box box = Cut(whole, images.grey.cols, images.grey.rows);
     if (HasArea(box)) {
