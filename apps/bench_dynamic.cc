@@ -79,7 +79,7 @@ Result<Opened> OpenAll(const DynamicArguments& arguments) {
   for (const std::string& folder : arguments.sequences.places) {
     SequenceArguments one = arguments.sequences;
     one.places = {folder};
-    if (!one.mode) one.mode = "inline";  // repeats to the bit
+    one.settings.insert(one.settings.begin(), "mode=inline");  // repeats to the bit, unless something else is asked for
     auto sequence = OpenSequence(one);
     if (!sequence) return sequence.error();
     auto truth = ReadTruthBeside(sequence->folder);
@@ -140,9 +140,12 @@ int Dynamic(const DynamicArguments& arguments) {
 void AddBenchDynamic(CLI::App& bench, Action& action) {
   CLI::App* dynamic = bench.add_subcommand("dynamic", "SLAM among people: what removing moving points is worth");
   const auto arguments = std::make_shared<DynamicArguments>();
-  arguments->sequences.AddTo(*dynamic,
-                             {{"--dynamics", "is what this bench compares; choose with --way"},
-                              {"--detections", "not taken here: full-exact finds people.txt beside the pictures"}});
+  const char* const kNewMaps = "every run of this bench begins a new map";
+  arguments->sequences.AddTo(
+      *dynamic, {{"--dynamics", "dynamics", "is what this bench compares; choose with --way"},
+                 {"--detections", "detections", "not taken here: full-exact finds people.txt beside the pictures"},
+                 {"", "load_map", kNewMaps},
+                 {"", "localize_only", kNewMaps}});
   dynamic
       ->add_option("--way", arguments->ways,
                    "original (ORB-SLAM2's front end, nothing removed: the measure), off, paper, full, or full-exact "

@@ -106,11 +106,14 @@ void AddBenchLight(CLI::App& bench, Action& action) {
   CLI::App* light = bench.add_subcommand("light", "SLAM in changing light: the original front end beside ours");
   const auto arguments = std::make_shared<LightArguments>();
   const char* const kNothingRemoved = "this bench compares features, and removes nothing";
-  arguments->sequence.AddTo(*light, {{"--mode", "all runs of this bench are inline"},
-                                     {"--dynamics", kNothingRemoved},
-                                     {"--detections", kNothingRemoved},
-                                     {"--masks", kNothingRemoved},
-                                     {"--model", kNothingRemoved}});
+  const char* const kNewMaps = "every run of this bench begins a new map";
+  arguments->sequence.AddTo(*light, {{"--mode", "mode", "all runs of this bench are inline", "inline"},
+                                     {"--dynamics", "dynamics", kNothingRemoved, "off"},
+                                     {"--detections", "detections", kNothingRemoved},
+                                     {"--masks", "masks", kNothingRemoved},
+                                     {"--model", "detection.model", kNothingRemoved},
+                                     {"", "load_map", kNewMaps},
+                                     {"", "localize_only", kNewMaps}});
   light
       ->add_option("--light", arguments->lights,
                    "ramp, flicker, switch, shade or dim, beside steady; may be given often; left out: all")

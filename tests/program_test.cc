@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "core/text.h"
+#include "system/config_io.h"
 #include "tests/synthetic_dataset.h"
 
 namespace yorb {
@@ -154,6 +155,21 @@ TEST_F(Program, BenchesOfferWhatTheyTake) {
     EXPECT_THAT(light.out, Not(HasSubstr(option)));
     ExpectRefused(option, {"bench", "light", room, option, "live"});
   }
+}
+
+TEST_F(Program, BenchesRefuseSettingsThatTheyWouldPassOver) {
+  const std::string room = In("room");
+  for (const char* bench : {"dynamic", "light"}) {
+    for (const char* setting :
+         {"load_map=nothere.map", "localize_only=true", "detections=people.txt", "dynamics=paper"})
+      ExpectRefused("--set: " + std::string(setting).substr(0, 6), {"bench", bench, room, "--set", setting});
+  }
+  ExpectRefused("--set: mode", {"bench", "light", room, "--set", "mode=live"});
+  ASSERT_TRUE(WriteFileWhole(In("whole.yaml"), ConfigText(Config(), "")).ok());
+  ASSERT_TRUE(WriteFileWhole(In("paper.yaml"), "dynamics: paper\n").ok());
+  ExpectRefused("paper.yaml, line 1: dynamics", {"bench", "dynamic", room, "--config", In("paper.yaml")});
+  ExpectRefused("people.txt", {"bench", "dynamic", room, "--config", In("whole.yaml"), "--way", "full-exact"});
+  ExpectRefused("nothere.map", {"bench", "speed", room, "--set", "load_map=nothere.map", "dynamics=off"});
 }
 
 TEST_F(Program, CountsOfBenchesAreWholeNumbersFromOneOn) {
