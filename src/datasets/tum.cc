@@ -235,9 +235,11 @@ Status LookForFiles(const TumLists& lists) {
     if (first == pictures.end()) continue;
     const auto num_missing = std::count_if(first, pictures.end(), is_missing);
     const std::string how_many = std::to_string(num_missing) + " of the " + std::to_string(pictures.size());
-    const char* const what = Exists(first->path) ? " is no file (" : " is missing (";
-    return BadInput(first->path + what + list->file + ", line " + std::to_string(first->line) + "); " + how_many +
-                    " files that the list names are not there" + WithAnotherEnding(first->path));
+    const std::string what = Exists(first->path) ? " is no file" : " is missing";
+    if (first->line == 0)
+      return BadInput(first->path + what + "; " + how_many + " pictures of " + list->file + " are not there");
+    return BadInput(first->path + what + " (" + list->file + ", line " + std::to_string(first->line) + "); " +
+                    how_many + " files that the list names are not there" + WithAnotherEnding(first->path));
   }
   return Status::Ok();
 }

@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Recording : public ::testing::Test {
  protected:
@@ -207,6 +208,10 @@ TEST_F(Recording, AnyPicturesDoForACameraThatIsOnlyLocated) {
   EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->NumWithDepth(), ReadTumLists(folder_.Path("seq"))->NumWithDepth());
   fs::remove(folder_.Path("seq/depth.txt"));
   EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->colour.pictures.size(), 6u);
+  fs::create_symlink("nowhere.png", folder_.Path("photos/d.png"));
+  const std::string missing = LookForFiles(*ReadAnyPictures(folder_.Path("photos"))).error().message;
+  EXPECT_THAT(missing,
+              testing::AllOf(HasSubstr("photos/d.png is missing; 1 of the 4 pictures"), Not(HasSubstr("line"))));
   fs::create_directories(folder_.Path("empty"));
   EXPECT_THAT(CheckLayout(folder_.Path("empty"), Layout::kAnyPictures).error().message, HasSubstr("nor pictures"));
   EXPECT_TRUE(CheckLayout(folder_.Path("photos"), Layout::kAnyPictures));
