@@ -135,11 +135,21 @@ class BoxOutput {
     return text;
   }
 
+  /// A place where nothing was before this run, which may be somebody's picture.
+  std::string FreePath(const std::string& path) {
+    std::error_code ignored;
+    std::string free = UntakenPath(path, written_);
+    if (!fs::exists(free, ignored)) return free;
+    while (fs::exists(free, ignored)) free = UntakenPath(path, written_);
+    LogWarning("picture-there", path + " was there before and stays; the boxes are in " + free);
+    return free;
+  }
+
   /// Under the picture's own name, numbered where another source has one of that name.
   Status Save(const SourcePicture& picture, const std::vector<Box>& boxes) {
     fs::path name = picture.name;
     if (!HasJpegEnding(picture.name)) name.replace_extension(".png");
-    const std::string path = UntakenPath((fs::path(*save_) / name).string(), written_);
+    const std::string path = FreePath((fs::path(*save_) / name).string());
     const auto bytes = EncodePictureFor(path, DrawBoxes(picture.pixels, boxes));
     return bytes ? WriteFileWhole(path, *bytes) : Status(bytes.error());
   }
