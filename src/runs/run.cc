@@ -244,6 +244,9 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
   }
   auto slam = Slam::Create(options.config, dataset.rig(), std::move(parts->slam));
   if (!slam) return slam.error();
+  if (overlay) {
+    if (const Status begun = overlay->Begin(); !begun) return begun.error();
+  }
   LogInfo("run of " + options.title + ": " + std::to_string(FramesToFeed(dataset, options.config)) + " frames, mode " +
           options.config.mode + ", seed " + std::to_string(options.config.seed) + ", camera " + dataset.rig().name +
           ", results in " + run.out);
