@@ -123,9 +123,19 @@ Status CheckInputsKept(const char* option, const std::optional<std::string>& pat
   return Status::Ok();
 }
 
+/// Whether two paths lead to one place, be something there or not.
+bool IsSamePlace(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(a, ignored), ignored) ==
+         fs::weakly_canonical(fs::absolute(b, ignored), ignored);
+}
+
 Status CheckOutputs(const EvalArguments& arguments) {
   if (arguments.plot && !EndsWith(*arguments.plot, ".svg") && !EndsWith(*arguments.plot, ".png")) {
     return BadInput("--plot " + *arguments.plot + " must end in .svg or .png");
+  }
+  if (arguments.csv && arguments.plot && IsSamePlace(*arguments.csv, *arguments.plot)) {
+    return BadInput("--csv " + *arguments.csv + " and --plot would be one file; name another one");
   }
   if (const Status fine = CheckInputsKept("--csv", arguments.csv, arguments); !fine) return fine;
   return CheckInputsKept("--plot", arguments.plot, arguments);

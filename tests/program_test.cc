@@ -200,6 +200,9 @@ TEST_F(Program, EvalNeverOverwritesWhatItReads) {
   std::vector<std::string> covered = with("--csv", In("room/rgb.txt"));
   covered.insert(covered.end(), {"--sequence", In("room")});
   ExpectRefused("what --sequence reads", covered);
+  std::vector<std::string> both = with("--csv", In("room/../x.svg"));
+  both.insert(both.end(), {"--plot", In("x.svg")});
+  ExpectRefused("--plot would be one file", both);
   covered.back() = In("nothere");
   ExpectRefused("--sequence: folder " + In("nothere"), covered);
   for (int times = 0; times < 2; ++times) EXPECT_EQ(Call(with("--csv", In("errors.csv"))).code, 0) << "its own results";
