@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "core/iou.h"
 #include "core/text.h"
 #include "detection/class_names.h"
 #include "runs/picture_source.h"
