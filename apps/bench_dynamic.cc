@@ -61,14 +61,6 @@ std::string Beside(const std::string& folder, const std::string& name) {
   return std::filesystem::exists(path, ignored) ? path.string() : "";
 }
 
-/// A folder's own name, whatever its path ends with.
-std::string NameOf(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::path path = std::filesystem::absolute(folder, error).lexically_normal();
-  if (path.filename().empty()) path = path.parent_path();
-  return error || path.filename().empty() ? folder : path.filename().string();
-}
-
 /// Whether boxes of people.txt were asked for by name.
 bool WantsBoxes(const DynamicArguments& arguments) {
   return std::count(arguments.ways.begin(), arguments.ways.end(), "full-exact") > 0;
@@ -84,7 +76,7 @@ Result<Opened> OpenAll(const DynamicArguments& arguments) {
     if (!sequence) return sequence.error();
     auto truth = ReadTruthBeside(sequence->folder);
     if (!truth) return truth.error();
-    const std::string name = NameOf(folder);
+    const std::string name = OwnName(folder);
     for (const DynamicSequence& other : opened.sequences) {
       if (other.name == name)
         return BadInput("two sequences are called " + name + "; rename a folder, or name it once");

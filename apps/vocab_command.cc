@@ -73,13 +73,7 @@ Status CheckOut(const std::string& out) {
   return Status::Ok();
 }
 
-std::string DigestText(const Vocabulary& vocabulary) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, vocabulary.digest());
-  return text;
-}
-
-std::string SizeText(const Vocabulary& vocabulary) {
+std::string TreeText(const Vocabulary& vocabulary) {
   return std::to_string(vocabulary.num_words()) + " words in a tree of " + std::to_string(vocabulary.branching()) +
          " branches and " + std::to_string(vocabulary.levels()) + " levels";
 }
@@ -104,7 +98,7 @@ Status TrainAndWrite(const TrainArguments& arguments) {
   if (!learnt) return learnt.error();
   if (Status written = WriteVocabulary(*learnt->vocabulary, arguments.out); !written) return written;
   if (!arguments.is_quiet) {
-    std::printf("%s, from %zu points of %zu pictures, in %s s: %s\n", SizeText(*learnt->vocabulary).c_str(),
+    std::printf("%s, from %zu points of %zu pictures, in %s s: %s\n", TreeText(*learnt->vocabulary).c_str(),
                 learnt->num_points, learnt->num_pictures, FormatFixed(watch.seconds(), 1).c_str(),
                 arguments.out.c_str());
   }
@@ -131,12 +125,12 @@ int Info(const std::string& file, bool wants_json) {
     json["words"] = (*vocabulary)->num_words();
     json["branching"] = (*vocabulary)->branching();
     json["levels"] = (*vocabulary)->levels();
-    json["digest"] = DigestText(**vocabulary);
+    json["digest"] = HexText((*vocabulary)->digest());
     json["bytes"] = bytes;
     std::printf("%s\n", json.dump().c_str());
   } else {
-    std::printf("%s: %s, %" PRIu64 " bytes, digest %s\n", file.c_str(), SizeText(**vocabulary).c_str(), bytes,
-                DigestText(**vocabulary).c_str());
+    std::printf("%s: %s, %" PRIu64 " bytes, digest %s\n", file.c_str(), TreeText(**vocabulary).c_str(), bytes,
+                HexText((*vocabulary)->digest()).c_str());
   }
   return kExitDone;
 }

@@ -96,4 +96,11 @@ std::string UntakenPath(const std::string& path, std::set<std::string>& taken) {
   return untaken;
 }
 
+std::string OwnName(const std::string& path) {
+  std::error_code error;
+  std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();
+  return error || !whole.has_filename() ? path : whole.filename().string();
+}
+
 }  // namespace yorb

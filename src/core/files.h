@@ -25,6 +25,9 @@ Status WriteFileQuickly(const std::string& path, const std::string& content);
 /// what it gives is taken from then on.
 std::string UntakenPath(const std::string& path, std::set<std::string>& taken);
 
+/// A file's or folder's own name, whatever its path looks like: "a" for "b/../a/", that of the current folder for ".".
+std::string OwnName(const std::string& path);
+
 /// One file to be written.
 struct FileToWrite {
   std::string path;

@@ -32,11 +32,6 @@ bool Exists(const std::string& path) {
 
 std::string In(const std::string& folder, const char* name) { return (fs::path(folder) / name).string(); }
 
-std::string RangeOf(const std::vector<Timestamp>& times) {
-  const auto range = std::minmax_element(times.begin(), times.end());
-  return ToString(*range.first) + " to " + ToString(*range.second);
-}
-
 constexpr const char* kOtherAssociations[] = {"associate.txt", "association.txt", "associated.txt"};
 
 /// associations.txt, or the other names that it goes by where there is no rgb.txt; empty if none is there.
@@ -94,7 +89,7 @@ Result<TumLists> FromTwoLists(const std::string& folder) {
   const size_t num_pairs = lists.NumWithDepth(), num_colour = lists.depth_of.size();
   if (num_pairs == 0) {
     return BadInput(folder + ": no colour picture has a depth picture within 20 ms: " + lists.colour.file + " covers " +
-                    RangeOf(colour_times) + ", " + lists.depth.file + " " + RangeOf(depth_times));
+                    RangeText(colour_times) + ", " + lists.depth.file + " " + RangeText(depth_times));
   }
   if (static_cast<double>(num_pairs) < kFewPairs * static_cast<double>(num_colour)) {
     LogWarning("pairs", folder + ": only " + std::to_string(num_pairs) + " of " + std::to_string(num_colour) +

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stats.h"
 #include "core/text.h"
 #include "evaluation/associate.h"
 
@@ -23,12 +24,6 @@ std::string RangeText(const std::string& path, const Trajectory& poses, int64_t 
          ToString(Timestamp{poses.back().timestamp.ns + offset_ns});
 }
 
-double MedianStep(const Trajectory& poses) {
-  std::vector<double> steps;
-  for (size_t i = 1; i < poses.size(); ++i) steps.push_back(SecondsBetween(poses[i - 1].timestamp, poses[i].timestamp));
-  return Quantile(std::move(steps), 0.5);
-}
-
 Error NothingInCommon(const ReadTrajectory& reference, const ReadTrajectory& estimate, const EvalOptions& options) {
   std::string text = "no time stamps in common within " + FormatShortest(options.max_difference) +
                      " s: " + RangeText(estimate.path, estimate.poses, Nanoseconds(options.time_offset)) + ", " +
@@ -36,7 +31,7 @@ Error NothingInCommon(const ReadTrajectory& reference, const ReadTrajectory& est
   const bool is_apart =
       estimate.poses.back().timestamp.ns + Nanoseconds(options.time_offset) < reference.poses.front().timestamp.ns ||
       reference.poses.back().timestamp.ns < estimate.poses.front().timestamp.ns + Nanoseconds(options.time_offset);
-  if (MedianStep(estimate.poses) > kLongStep || MedianStep(reference.poses) > kLongStep) {
+  if (MedianStep(StampsOf(estimate.poses)) > kLongStep || MedianStep(StampsOf(reference.poses)) > kLongStep) {
     text += "; are these seconds?";
   } else {
     text += is_apart ? "; another clock? --time-offset S is added to the estimate" : "; see --max-difference";

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "core/files.h"
 #include "core/iou.h"
 #include "core/text.h"
 #include "detection/class_names.h"
@@ -86,7 +87,7 @@ Result<PeopleScore> MeasurePeople(const std::string& sequence, Detector& detecto
   const auto source = OpenPictureSource(sequence);
   if (!source) return source.error();
   PeopleScore sum;
-  sum.sequence = std::filesystem::path(sequence).lexically_normal().filename().string();
+  sum.sequence = OwnName(sequence);
   while ((*source)->HasNext() && !(should_stop && should_stop())) {
     const auto picture = (*source)->Next();
     if (!picture) {

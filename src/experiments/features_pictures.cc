@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/files.h"
 #include "core/log.h"
 #include "datasets/open_dataset.h"
 #include "datasets/tum.h"
@@ -19,13 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLongestHole_s = 0.1;
-
-/// The folder's own name, whatever the way it was written.
-std::string NameOf(const std::string& place) {
-  const fs::path path = fs::path(place).lexically_normal();
-  const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
-  return name.empty() ? place : name.string();
-}
 
 Result<PictureSet> OpenLoosePictures(PictureSet set, const std::string& place) {
   std::error_code error;
@@ -44,7 +38,7 @@ Result<PictureSet> OpenLoosePictures(PictureSet set, const std::string& place) {
 
 Result<PictureSet> OpenPictureSet(const std::string& place, const std::string& camera) {
   PictureSet set;
-  set.name = NameOf(place);
+  set.name = OwnName(place);
   std::error_code error;
   if (!fs::exists(place, error)) return BadInput(place + " does not exist");
   if (!HasTumLayout(place)) return OpenLoosePictures(std::move(set), place);

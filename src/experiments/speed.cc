@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/features2d.hpp>
 #include <utility>
 
 #include "core/stopwatch.h"
 #include "core/text.h"
 #include "datasets/masked_dataset.h"
+#include "experiments/one_thread.h"
 #include "experiments/text_table.h"
 #include "runs/feed.h"
 #include "runs/make_detector.h"
@@ -25,18 +25,6 @@ namespace {
 
 constexpr size_t kOrbPictures = 50;  // before the run, and as many after it
 constexpr int kOrbFeatures = 1000;
-
-/// One thread for OpenCV as long as this lives.
-class OneThread {
- public:
-  OneThread() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
-  ~OneThread() { cv::setNumThreads(before_); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-
- private:
-  int before_;
-};
 
 /// Milliseconds of cv::ORB on pictures spread over the recording.
 std::vector<double> TimeOrb(const Dataset& dataset, size_t num_frames, const std::function<bool()>& should_stop) {
