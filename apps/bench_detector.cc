@@ -52,11 +52,9 @@ Result<std::vector<std::string>> PicturesOf(const DetectorArguments& arguments) 
 
 Result<DetectorBenchOptions> OptionsOf(const DetectorArguments& arguments) {
   DetectorBenchOptions options;
-  if (arguments.rounds) {
-    const auto rounds = WholeNumber("--rounds", *arguments.rounds, 1, kMostRounds);
-    if (!rounds) return rounds.error();
-    options.rounds = static_cast<size_t>(*rounds);
-  }
+  const auto rounds = WholeNumber("--rounds", arguments.rounds, static_cast<long long>(options.rounds), 1, kMostRounds);
+  if (!rounds) return rounds.error();
+  options.rounds = static_cast<size_t>(*rounds);
   const auto models = ModelsOf(arguments);
   if (!models) return models.error();
   const auto size = ReadPictureSize(arguments.size);

@@ -47,13 +47,6 @@ Status CheckArguments(const DynamicArguments& arguments) {
   return Status::Ok();
 }
 
-Result<int> RunsOf(const std::optional<std::string>& text) {
-  if (!text) return 1;
-  const auto number = WholeNumber("--runs", *text, 1, kMostRuns);
-  if (!number) return number.error();
-  return static_cast<int>(*number);
-}
-
 /// The path of what stands beside the pictures; empty where it is not there.
 std::string Beside(const std::string& folder, const std::string& name) {
   std::error_code ignored;
@@ -110,14 +103,14 @@ Result<DynamicReport> Measure(const DynamicArguments& arguments, const Opened& o
 int Dynamic(const DynamicArguments& arguments) {
   CatchSignals();
   if (const Status fine = CheckArguments(arguments); !fine) return Complain(fine.error());
-  const auto num_runs = RunsOf(arguments.runs);
+  const auto num_runs = WholeNumber("--runs", arguments.runs, 1, 1, kMostRuns);
   if (!num_runs) return Complain(num_runs.error());
   const auto opened = OpenAll(arguments);
   if (!opened) return Complain(opened.error());
   if (arguments.out) {
     if (const Status usable = PrepareRunFolder(*arguments.out); !usable) return Complain(usable.error());
   }
-  const auto report = Measure(arguments, *opened, *num_runs);
+  const auto report = Measure(arguments, *opened, static_cast<int>(*num_runs));
   if (!report) return Complain(report.error());
   std::fputs((arguments.wants_json ? DynamicJson(*report) : "\n" + DynamicText(*report)).c_str(), stdout);
   if (arguments.out) {

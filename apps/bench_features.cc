@@ -83,11 +83,10 @@ int BenchFeatures(const FeaturesArguments& arguments) {
   const auto features = FeatureOptionsOf(arguments);
   if (!features) return Complain(features.error());
   options.features = *features;
-  if (arguments.pictures) {
-    const auto pictures = WholeNumber("--pictures", *arguments.pictures, 0, kMostPictures);
-    if (!pictures) return Complain(pictures.error());
-    options.pictures = static_cast<size_t>(*pictures);
-  }
+  const auto pictures =
+      WholeNumber("--pictures", arguments.pictures, static_cast<long long>(options.pictures), 0, kMostPictures);
+  if (!pictures) return Complain(pictures.error());
+  options.pictures = static_cast<size_t>(*pictures);
   options.should_stop = IsStopAsked;
   const auto sets = OpenSets(arguments);
   if (!sets) return Complain(sets.error());

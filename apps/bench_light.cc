@@ -41,13 +41,6 @@ Result<std::vector<LightKind>> LightsOf(const std::vector<std::string>& names) {
   return lights;
 }
 
-Result<int> SeedsOf(const std::optional<std::string>& text) {
-  if (!text) return 1;
-  const auto number = WholeNumber("--seeds", *text, 1, kMostSeeds);
-  if (!number) return number.error();
-  return static_cast<int>(*number);
-}
-
 Status WriteResults(const std::string& folder, const LightReport& report) {
   const auto in_folder = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
   std::vector<FileToWrite> files = {{in_folder("light.txt"), LightText(report)},
@@ -64,7 +57,7 @@ Status WriteResults(const std::string& folder, const LightReport& report) {
 Result<LightReport> Measure(const LightArguments& arguments) {
   const auto lights = LightsOf(arguments.lights);
   if (!lights) return lights.error();
-  const auto seeds = SeedsOf(arguments.seeds);
+  const auto seeds = WholeNumber("--seeds", arguments.seeds, 1, 1, kMostSeeds);
   if (!seeds) return seeds.error();
   const auto sequence = OpenSequence(arguments.sequence);
   if (!sequence) return sequence.error();
@@ -83,7 +76,7 @@ Result<LightReport> Measure(const LightArguments& arguments) {
     std::fputs(LightRunText(run).c_str(), stdout);
     std::fflush(stdout);
   };
-  auto report = MeasureLight(*sequence->dataset, {sequence->config, *lights, *seeds, *truth}, hooks);
+  auto report = MeasureLight(*sequence->dataset, {sequence->config, *lights, static_cast<int>(*seeds), *truth}, hooks);
   progress.End();
   return report;
 }

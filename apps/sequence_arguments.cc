@@ -134,6 +134,11 @@ Result<long long> WholeNumber(const std::string& option, const std::string& text
                   ", not " + text);
 }
 
+Result<long long> WholeNumber(const std::string& option, const std::optional<std::string>& text, long long otherwise,
+                              long long least, long long most) {
+  return text ? WholeNumber(option, *text, least, most) : otherwise;
+}
+
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   OpenedSequence opened;
   const auto places = SortPlaces(options.places);

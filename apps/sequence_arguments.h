@@ -46,6 +46,10 @@ struct OpenedSequence {
 /// The whole number that was written for an option; bad input, by the option's name, outside of the range.
 Result<long long> WholeNumber(const std::string& option, const std::string& text, long long least, long long most);
 
+/// The same of an option that may be left out.
+Result<long long> WholeNumber(const std::string& option, const std::optional<std::string>& text, long long otherwise,
+                              long long least, long long most);
+
 /// Reads config file and settings (the options above all, then --set, then --config), and opens the sequence.
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options);
 
