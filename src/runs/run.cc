@@ -18,7 +18,6 @@
 #include "geometry/trajectory.h"
 #include "runs/feed.h"
 #include "runs/make_detector.h"
-#include "runs/map_export.h"
 #include "runs/overlay.h"
 #include "runs/resources.h"
 #include "runs/results.h"
