@@ -6,8 +6,8 @@
 
 namespace yorb {
 
-/// The area that two boxes share, over the area that they cover together; 0 where they share none, or a corner is no
-/// number. Of anything with left, top, right and bottom.
+/// The area that two boxes share, over the area that they cover together; 0 where they share none. Of anything with
+/// left, top, right and bottom.
 template <typename A, typename B>
 double IoU(const A& a, const B& b) {
   const double width = std::min(a.right, b.right) - std::max(a.left, b.left);

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace yorb {
 namespace {
 
@@ -20,7 +18,6 @@ TEST(IoU, IsSharedOverCoveredArea) {
   EXPECT_DOUBLE_EQ(IoU(Area{5, 0, 15, 10}, square), 50.0 / 150);
   EXPECT_DOUBLE_EQ(IoU(square, Area{10, 0, 20, 10}), 0) << "side by side";
   EXPECT_DOUBLE_EQ(IoU(Area{0, 0, 0, 0}, Area{0, 0, 0, 0}), 0);
-  EXPECT_DOUBLE_EQ(IoU(square, Area{0, 0, std::nan(""), 10}), 0);
 }
 
 }  // namespace
