@@ -16,6 +16,7 @@
 #include "detection/yolo_detector.h"
 #include "experiments/detector.h"
 #include "pictures/picture_folder.h"
+#include "runs/run_folder.h"
 
 namespace yorb {
 namespace {
@@ -37,23 +38,23 @@ Result<std::vector<std::string>> ModelsOf(const DetectorArguments& arguments) {
   return std::vector<std::string>{*ours};
 }
 
-Result<std::vector<FileToWrite>> FiguresOf(const DetectorArguments& arguments, const DetectorBenchOptions& options) {
+/// The pictures that figures are made of.
+Result<std::vector<std::string>> PicturesOf(const DetectorArguments& arguments) {
   constexpr size_t kMostFigures = 12;
-  if (!arguments.pictures) return std::vector<FileToWrite>{};
-  std::vector<std::string> pictures = PicturesUnder(*arguments.pictures);
+  std::vector<std::string> pictures;
+  if (!arguments.pictures) return pictures;
+  if (!arguments.out) return BadInput("--pictures needs --out, a folder for the figures");
+  pictures = PicturesUnder(*arguments.pictures);
   if (pictures.empty()) return BadInput("--pictures " + *arguments.pictures + " holds no pictures");
   pictures.resize(std::min(pictures.size(), kMostFigures));
-  return DetectorFigures(pictures, options, *arguments.out);
+  return pictures;
 }
 
-Status Bench(const DetectorArguments& arguments) {
-  if (arguments.pictures && !arguments.out) return BadInput("--pictures needs --out, a folder for the figures");
+Result<DetectorBenchOptions> OptionsOf(const DetectorArguments& arguments) {
   DetectorBenchOptions options;
-  if (arguments.rounds) {
-    const auto rounds = WholeNumber("--rounds", *arguments.rounds, 1, kMostRounds);
-    if (!rounds) return rounds.error();
-    options.rounds = static_cast<size_t>(*rounds);
-  }
+  const auto rounds = WholeNumber("--rounds", arguments.rounds, static_cast<long long>(options.rounds), 1, kMostRounds);
+  if (!rounds) return rounds.error();
+  options.rounds = static_cast<size_t>(*rounds);
   const auto models = ModelsOf(arguments);
   if (!models) return models.error();
   const auto size = ReadPictureSize(arguments.size);
@@ -64,15 +65,29 @@ Status Bench(const DetectorArguments& arguments) {
   options.set = arguments.set;
   options.sequences = arguments.sequences;
   options.should_stop = IsStopAsked;
-  const auto report = MeasureDetectors(options);
+  return options;
+}
+
+Status Bench(const DetectorArguments& arguments) {
+  const auto options = OptionsOf(arguments);
+  if (!options) return options.error();
+  const auto pictures = PicturesOf(arguments);
+  if (!pictures) return pictures.error();
+  if (arguments.out) {
+    if (Status usable = PrepareRunFolder(*arguments.out); !usable) return usable;
+  }
+  const auto report = MeasureDetectors(*options);
   if (!report) return report.error();
   std::fputs((arguments.wants_json ? DetectorJson(*report) : DetectorText(*report)).c_str(), stdout);
-  if (!arguments.out) return Status::Ok();
-  auto files = FiguresOf(arguments, options);
-  if (!files) return files.error();
-  files->push_back({*arguments.out + "/detector.txt", DetectorText(*report)});
-  files->push_back({*arguments.out + "/detector.json", DetectorJson(*report)});
-  return WriteFilesTogether(*files);
+  Unreadable unreadable = report->unreadable();
+  if (!arguments.out) return unreadable.Told();
+  auto figures = DetectorFigures(*pictures, *options, *arguments.out);
+  if (!figures) return figures.error();
+  figures->files.push_back({*arguments.out + "/detector.txt", DetectorText(*report)});
+  figures->files.push_back({*arguments.out + "/detector.json", DetectorJson(*report)});
+  if (const Status written = WriteFilesTogether(figures->files); !written) return written;
+  unreadable.Add(figures->unreadable);
+  return unreadable.Told();
 }
 
 }  // namespace

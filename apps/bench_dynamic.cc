@@ -44,15 +44,7 @@ Status CheckArguments(const DynamicArguments& arguments) {
     if (std::find(DynamicWays().begin(), DynamicWays().end(), way) != DynamicWays().end()) continue;
     return BadInput("--way: " + way + " is none; did you mean " + NearestWord(way, DynamicWays()) + "?");
   }
-  if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
   return Status::Ok();
-}
-
-Result<int> RunsOf(const std::optional<std::string>& text) {
-  if (!text) return 1;
-  const auto number = WholeNumber("--runs", *text, 1, kMostRuns);
-  if (!number) return number.error();
-  return static_cast<int>(*number);
 }
 
 /// The path of what stands beside the pictures; empty where it is not there.
@@ -60,14 +52,6 @@ std::string Beside(const std::string& folder, const std::string& name) {
   std::error_code ignored;
   const std::filesystem::path path = std::filesystem::path(folder) / name;
   return std::filesystem::exists(path, ignored) ? path.string() : "";
-}
-
-/// A folder's own name, whatever its path ends with.
-std::string NameOf(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::path path = std::filesystem::absolute(folder, error).lexically_normal();
-  if (path.filename().empty()) path = path.parent_path();
-  return error || path.filename().empty() ? folder : path.filename().string();
 }
 
 /// Whether boxes of people.txt were asked for by name.
@@ -80,12 +64,12 @@ Result<Opened> OpenAll(const DynamicArguments& arguments) {
   for (const std::string& folder : arguments.sequences.places) {
     SequenceArguments one = arguments.sequences;
     one.places = {folder};
-    if (!one.mode) one.mode = "inline";  // repeats to the bit
+    one.settings.insert(one.settings.begin(), "mode=inline");  // repeats to the bit, unless something else is asked for
     auto sequence = OpenSequence(one);
     if (!sequence) return sequence.error();
     auto truth = ReadTruthBeside(sequence->folder);
     if (!truth) return truth.error();
-    const std::string name = NameOf(folder);
+    const std::string name = OwnName(folder);
     for (const DynamicSequence& other : opened.sequences) {
       if (other.name == name)
         return BadInput("two sequences are called " + name + "; rename a folder, or name it once");
@@ -119,14 +103,14 @@ Result<DynamicReport> Measure(const DynamicArguments& arguments, const Opened& o
 int Dynamic(const DynamicArguments& arguments) {
   CatchSignals();
   if (const Status fine = CheckArguments(arguments); !fine) return Complain(fine.error());
-  const auto num_runs = RunsOf(arguments.runs);
+  const auto num_runs = WholeNumber("--runs", arguments.runs, 1, 1, kMostRuns);
   if (!num_runs) return Complain(num_runs.error());
   const auto opened = OpenAll(arguments);
   if (!opened) return Complain(opened.error());
   if (arguments.out) {
     if (const Status usable = PrepareRunFolder(*arguments.out); !usable) return Complain(usable.error());
   }
-  const auto report = Measure(arguments, *opened, *num_runs);
+  const auto report = Measure(arguments, *opened, static_cast<int>(*num_runs));
   if (!report) return Complain(report.error());
   std::fputs((arguments.wants_json ? DynamicJson(*report) : "\n" + DynamicText(*report)).c_str(), stdout);
   if (arguments.out) {
@@ -141,9 +125,12 @@ int Dynamic(const DynamicArguments& arguments) {
 void AddBenchDynamic(CLI::App& bench, Action& action) {
   CLI::App* dynamic = bench.add_subcommand("dynamic", "SLAM among people: what removing moving points is worth");
   const auto arguments = std::make_shared<DynamicArguments>();
-  arguments->sequences.AddTo(*dynamic,
-                             {{"--dynamics", "is what this bench compares; choose with --way"},
-                              {"--detections", "not taken here: full-exact finds people.txt beside the pictures"}});
+  const char* const kNewMaps = "every run of this bench begins a new map";
+  arguments->sequences.AddTo(
+      *dynamic, {{"--dynamics", "dynamics", "is what this bench compares; choose with --way"},
+                 {"--detections", "detections", "not taken here: full-exact finds people.txt beside the pictures"},
+                 {"", "load_map", kNewMaps},
+                 {"", "localize_only", kNewMaps}});
   dynamic
       ->add_option("--way", arguments->ways,
                    "original (ORB-SLAM2's front end, nothing removed: the measure), off, paper, full, or full-exact "

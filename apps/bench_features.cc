@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "core/files.h"
 #include "experiments/features.h"
 #include "experiments/features_figures.h"
+#include "runs/run_folder.h"
 #include "system/config_io.h"
 
 namespace yorb {
@@ -49,6 +51,19 @@ Result<FeatureOptions> FeatureOptionsOf(const FeaturesArguments& arguments) {
   return config->features;
 }
 
+/// Tables and figures go by the names of the places; of two with one name the second is numbered.
+Result<std::vector<PictureSet>> OpenSets(const FeaturesArguments& arguments) {
+  std::vector<PictureSet> sets;
+  std::set<std::string> names;
+  for (const std::string& place : arguments.places) {
+    auto set = OpenPictureSet(place, arguments.camera);
+    if (!set) return set.error();
+    set->name = UntakenPath(set->name, names);
+    sets.push_back(*std::move(set));
+  }
+  return sets;
+}
+
 /// Figures of every set, and the report as text and JSON.
 Status WriteResults(const std::string& folder, const std::vector<PictureSet>& sets, const FeatureOptions& features,
                     const std::vector<FeaturesReport>& reports) {
@@ -68,30 +83,27 @@ int BenchFeatures(const FeaturesArguments& arguments) {
   const auto features = FeatureOptionsOf(arguments);
   if (!features) return Complain(features.error());
   options.features = *features;
-  if (arguments.pictures) {
-    const auto pictures = WholeNumber("--pictures", *arguments.pictures, 0, kMostPictures);
-    if (!pictures) return Complain(pictures.error());
-    options.pictures = static_cast<size_t>(*pictures);
-  }
+  const auto pictures =
+      WholeNumber("--pictures", arguments.pictures, static_cast<long long>(options.pictures), 0, kMostPictures);
+  if (!pictures) return Complain(pictures.error());
+  options.pictures = static_cast<size_t>(*pictures);
   options.should_stop = IsStopAsked;
-  std::vector<PictureSet> sets;
-  for (const std::string& place : arguments.places) {
-    auto set = OpenPictureSet(place, arguments.camera);
-    if (!set) return Complain(set.error());
-    sets.push_back(*std::move(set));
+  const auto sets = OpenSets(arguments);
+  if (!sets) return Complain(sets.error());
+  if (!arguments.out.empty()) {
+    if (const Status usable = PrepareRunFolder(arguments.out); !usable) return Complain(usable.error());
   }
   std::vector<FeaturesReport> reports;
-  for (const PictureSet& set : sets) {
+  for (const PictureSet& set : *sets) {
     auto report = MeasureFeatures(set, options);
     if (!report) return Complain(report.error());
     reports.push_back(*std::move(report));
   }
-  if (!arguments.out.empty()) {
-    if (const Status written = WriteResults(arguments.out, sets, options.features, reports); !written) {
-      return Complain(written.error());
-    }
-  }
   std::fputs((arguments.wants_json ? FeaturesJson(reports) : FeaturesText(reports)).c_str(), stdout);
+  if (!arguments.out.empty()) {
+    const Status written = WriteResults(arguments.out, *sets, options.features, reports);
+    if (!written) return Complain(written.error());
+  }
   return ExitCodeAfterSignal(kExitDone);
 }
 

@@ -16,6 +16,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "experiments/light_text.h"
+#include "runs/run_folder.h"
 
 namespace yorb {
 namespace {
@@ -40,13 +41,6 @@ Result<std::vector<LightKind>> LightsOf(const std::vector<std::string>& names) {
   return lights;
 }
 
-Result<int> SeedsOf(const std::optional<std::string>& text) {
-  if (!text) return 1;
-  const auto number = WholeNumber("--seeds", *text, 1, kMostSeeds);
-  if (!number) return number.error();
-  return static_cast<int>(*number);
-}
-
 Status WriteResults(const std::string& folder, const LightReport& report) {
   const auto in_folder = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
   std::vector<FileToWrite> files = {{in_folder("light.txt"), LightText(report)},
@@ -63,13 +57,15 @@ Status WriteResults(const std::string& folder, const LightReport& report) {
 Result<LightReport> Measure(const LightArguments& arguments) {
   const auto lights = LightsOf(arguments.lights);
   if (!lights) return lights.error();
-  const auto seeds = SeedsOf(arguments.seeds);
+  const auto seeds = WholeNumber("--seeds", arguments.seeds, 1, 1, kMostSeeds);
   if (!seeds) return seeds.error();
-  if (arguments.out && arguments.out->empty()) return BadInput("--out is empty; name a folder");
   const auto sequence = OpenSequence(arguments.sequence);
   if (!sequence) return sequence.error();
   const auto truth = ReadTruthBeside(sequence->folder);
   if (!truth) return truth.error();
+  if (arguments.out) {
+    if (const Status usable = PrepareRunFolder(*arguments.out); !usable) return usable.error();
+  }
   Progress progress(arguments.wants_json);
   LightBenchHooks hooks;
   hooks.should_stop = IsStopAsked;
@@ -80,7 +76,7 @@ Result<LightReport> Measure(const LightArguments& arguments) {
     std::fputs(LightRunText(run).c_str(), stdout);
     std::fflush(stdout);
   };
-  auto report = MeasureLight(*sequence->dataset, {sequence->config, *lights, *seeds, *truth}, hooks);
+  auto report = MeasureLight(*sequence->dataset, {sequence->config, *lights, static_cast<int>(*seeds), *truth}, hooks);
   progress.End();
   return report;
 }
@@ -103,11 +99,14 @@ void AddBenchLight(CLI::App& bench, Action& action) {
   CLI::App* light = bench.add_subcommand("light", "SLAM in changing light: the original front end beside ours");
   const auto arguments = std::make_shared<LightArguments>();
   const char* const kNothingRemoved = "this bench compares features, and removes nothing";
-  arguments->sequence.AddTo(*light, {{"--mode", "all runs of this bench are inline"},
-                                     {"--dynamics", kNothingRemoved},
-                                     {"--detections", kNothingRemoved},
-                                     {"--masks", kNothingRemoved},
-                                     {"--model", kNothingRemoved}});
+  const char* const kNewMaps = "every run of this bench begins a new map";
+  arguments->sequence.AddTo(*light, {{"--mode", "mode", "all runs of this bench are inline", "inline"},
+                                     {"--dynamics", "dynamics", kNothingRemoved, "off"},
+                                     {"--detections", "detections", kNothingRemoved},
+                                     {"--masks", "masks", kNothingRemoved},
+                                     {"--model", "detection.model", kNothingRemoved},
+                                     {"", "load_map", kNewMaps},
+                                     {"", "localize_only", kNewMaps}});
   light
       ->add_option("--light", arguments->lights,
                    "ramp, flicker, switch, shade or dim, beside steady; may be given often; left out: all")

@@ -24,6 +24,7 @@
 #include "runs/draw_boxes.h"
 #include "runs/judge_detector.h"
 #include "runs/picture_source.h"
+#include "runs/unreadable.h"
 
 namespace yorb {
 namespace {
@@ -134,11 +135,21 @@ class BoxOutput {
     return text;
   }
 
+  /// A place where nothing was before this run, which may be somebody's picture.
+  std::string FreePath(const std::string& path) {
+    std::error_code ignored;
+    std::string free = UntakenPath(path, written_);
+    if (!fs::exists(free, ignored)) return free;
+    while (fs::exists(free, ignored)) free = UntakenPath(path, written_);
+    LogWarning("picture-there", path + " was there before and stays; the boxes are in " + free);
+    return free;
+  }
+
   /// Under the picture's own name, numbered where another source has one of that name.
   Status Save(const SourcePicture& picture, const std::vector<Box>& boxes) {
     fs::path name = picture.name;
     if (!HasJpegEnding(picture.name)) name.replace_extension(".png");
-    const std::string path = UntakenPath((fs::path(*save_) / name).string(), written_);
+    const std::string path = FreePath((fs::path(*save_) / name).string());
     const auto bytes = EncodePictureFor(path, DrawBoxes(picture.pixels, boxes));
     return bytes ? WriteFileWhole(path, *bytes) : Status(bytes.error());
   }
@@ -147,21 +158,6 @@ class BoxOutput {
   std::optional<std::string> save_;
   std::vector<std::string> classes_;
   std::set<std::string> written_;
-};
-
-/// Pictures that could not be read, told at the end so that the others are done before.
-struct Unreadable {
-  size_t count = 0, num_pictures = 0;
-  std::string first;
-
-  void Add(const Error& error) {
-    if (count++ < 3) first += (first.empty() ? "" : "; ") + error.message;
-  }
-  Error Told() const {
-    if (count == 1) return BadInput(first);
-    const std::string more = count > 3 ? "; and " + std::to_string(count - 3) + " more" : "";
-    return BadInput(std::to_string(count) + " pictures or sources cannot be read: " + first + more);
-  }
 };
 
 Status DetectIn(PictureSource& source, YoloDetector& detector, BoxOutput& output, Unreadable& unreadable) {
@@ -200,7 +196,6 @@ Status CheckPicturesStay(const DetectArguments& arguments) {
 Status DetectAll(const DetectArguments& arguments, const DetectionOptions& options) {
   if (arguments.places.empty())
     return BadInput("yorb detect needs a picture, folder, video or sequence, or --evaluate DIR");
-  if (arguments.save && arguments.save->empty()) return BadInput("--save is empty; name a folder");
   auto detector = OpenDetector(arguments, options);
   if (!detector) return detector.error();
   auto classes = ClassesOf(arguments, (*detector)->names());
@@ -219,7 +214,7 @@ Status DetectAll(const DetectArguments& arguments, const DetectionOptions& optio
     }
     if (Status status = DetectIn(**source, **detector, output, unreadable); !status) return status;
   }
-  return unreadable.count > 0 ? Status(unreadable.Told()) : Status::Ok();
+  return unreadable.Told();
 }
 
 Status EvaluateDetector(const DetectArguments& arguments, const DetectionOptions& options) {
@@ -238,7 +233,7 @@ Status EvaluateDetector(const DetectArguments& arguments, const DetectionOptions
   const auto judgement = JudgeDetector(*set, **detector, {*confidence, *classes, IsStopAsked});
   if (!judgement) return judgement.error();
   std::fputs((arguments.wants_json ? JudgementJson(*judgement) : JudgementText(*judgement)).c_str(), stdout);
-  return Status::Ok();
+  return judgement->unreadable.Told();
 }
 
 int Detect(const DetectArguments& arguments) {

@@ -12,8 +12,9 @@
 #include "apps/command.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "datasets/open_dataset.h"
+#include "datasets/tum.h"
 #include "evaluation/chart_png.h"
-#include "evaluation/coverage.h"
 #include "evaluation/evaluate.h"
 #include "evaluation/evaluation_text.h"
 
@@ -63,6 +64,14 @@ bool EndsWith(const std::string& text, const std::string& end) {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+/// Of the colour pictures that a run would read; the pictures themselves need not be there.
+Result<std::vector<Timestamp>> ReadPictureStamps(const std::string& folder) {
+  if (const Status there = CheckLayout(folder); !there) return BadInput("--sequence: " + there.error().message);
+  const auto list = ReadColourList(folder);
+  if (!list) return list.error();
+  return list->Times();
+}
+
 Result<EvalOptions> ReadOptions(const EvalArguments& arguments, const ReadTrajectory& reference) {
   EvalOptions options;
   options.align = AlignOf(arguments.align);
@@ -84,9 +93,9 @@ Result<EvalOptions> ReadOptions(const EvalArguments& arguments, const ReadTrajec
     options.num_frames = static_cast<size_t>(*count);
   }
   if (arguments.sequence) {
-    auto pictures = ReadColourStamps(*arguments.sequence);
+    const auto pictures = ReadPictureStamps(*arguments.sequence);
     if (!pictures) return pictures.error();
-    options.pictures = std::move(*pictures);
+    options.pictures = *pictures;
   }
   if (const Status status = Validate(options); !status) return status.error();
   return options;
@@ -97,8 +106,7 @@ std::vector<std::pair<std::string, fs::path>> InputsOf(const EvalArguments& argu
   std::vector<std::pair<std::string, fs::path>> inputs = {{"--reference", arguments.reference}};
   for (const std::string& estimate : arguments.estimates) inputs.emplace_back("--estimate", estimate);
   if (arguments.sequence) {
-    for (const char* list : {"associations.txt", "rgb.txt"})
-      inputs.emplace_back("--sequence", fs::path(*arguments.sequence) / list);
+    for (const std::string& list : ListNames()) inputs.emplace_back("--sequence", fs::path(*arguments.sequence) / list);
   }
   return inputs;
 }
@@ -115,9 +123,19 @@ Status CheckInputsKept(const char* option, const std::optional<std::string>& pat
   return Status::Ok();
 }
 
+/// Whether two paths lead to one place, be something there or not.
+bool IsSamePlace(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(a, ignored), ignored) ==
+         fs::weakly_canonical(fs::absolute(b, ignored), ignored);
+}
+
 Status CheckOutputs(const EvalArguments& arguments) {
   if (arguments.plot && !EndsWith(*arguments.plot, ".svg") && !EndsWith(*arguments.plot, ".png")) {
     return BadInput("--plot " + *arguments.plot + " must end in .svg or .png");
+  }
+  if (arguments.csv && arguments.plot && IsSamePlace(*arguments.csv, *arguments.plot)) {
+    return BadInput("--csv " + *arguments.csv + " and --plot would be one file; name another one");
   }
   if (const Status fine = CheckInputsKept("--csv", arguments.csv, arguments); !fine) return fine;
   return CheckInputsKept("--plot", arguments.plot, arguments);

@@ -12,7 +12,6 @@
 #include "apps/signals.h"
 #include "core/log.h"
 #include "core/text.h"
-#include "evaluation/trajectory_io.h"
 #include "runs/run.h"
 
 namespace yorb {
@@ -39,17 +38,6 @@ void PrintSummary(const RunSummary& summary) {
   std::printf("results in %s: trajectory.txt keyframes.txt metrics.json frames.csv report.html\n", summary.out.c_str());
 }
 
-/// The truth that lies beside the pictures, for the report alone; a faulty one is no reason not to run.
-Trajectory TruthBeside(const std::string& folder) {
-  const std::string path = (std::filesystem::path(folder) / "groundtruth.txt").string();
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) return {};
-  auto truth = ReadTrajectoryFile(path);
-  if (truth) return std::move(truth->poses);
-  LogInfo("left out of the report: " + truth.error().message);
-  return {};
-}
-
 /// The options about maps are settings, so that config.yaml has them; they win over `--set`.
 Result<OpenedSequence> Open(const RunArguments& arguments) {
   SequenceArguments sequence = arguments.sequence;
@@ -67,7 +55,9 @@ Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
   options.overlay = arguments.overlay;
   options.save_map = arguments.save_map.value_or("");
   options.title = std::filesystem::path(sequence->folder).lexically_normal().string();
-  options.reference = TruthBeside(sequence->folder);
+  auto truth = ReadTruthBeside(sequence->folder);
+  if (truth) options.reference = *std::move(truth);
+  if (!truth) LogInfo("left out of the report: " + truth.error().message);  // no reason not to run
   Progress progress(arguments.is_quiet);
   RunHooks hooks;
   hooks.should_stop = IsStopAsked;
@@ -79,9 +69,6 @@ Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
 
 int Run(const RunArguments& arguments) {
   CatchSignals();
-  if (arguments.out && arguments.out->empty()) return Complain(BadInput("--out is empty; name a folder"));
-  if (arguments.save_map && arguments.save_map->empty()) return Complain(BadInput("--save-map is empty; name a file"));
-  if (arguments.load_map && arguments.load_map->empty()) return Complain(BadInput("--load-map is empty; name a file"));
   const Status started = StartLog({.keeps_text = true});
   if (!started) return Complain(started.error());
   const auto summary = RunAsAsked(arguments);

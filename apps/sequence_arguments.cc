@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/sequence_arguments.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -66,15 +67,33 @@ Result<std::unique_ptr<Dataset>> Open(const std::string& folder, const SequenceA
   return OpenDataset(folder, ChosenCamera{*rig, "of the config file", true}, layout);
 }
 
-void Refuse(CLI::App& command, const RefusedOption& refused) {
-  CLI::Option* option = command.get_option(refused.name);
+void RefuseOption(CLI::App& command, const Refused& refused) {
+  CLI::Option* option = command.get_option(refused.option);
   option->group("");  // not in the help
-  option->each([refused](const std::string&) { throw CLI::ValidationError(refused.name, refused.why); });
+  option->each([refused](const std::string&) { throw CLI::ValidationError(refused.option, refused.why); });
+}
+
+/// Whether a setting alone makes another configuration.
+bool IsDefault(const Setting& setting) {
+  const auto config = WithSettings(Config(), {setting});
+  return config && ConfigText(*config, "") == ConfigText(Config(), "");
+}
+
+/// Settings that would be passed over in silence. The last one of a key counts; a config file of a run names all keys.
+Status CheckTaken(const std::vector<Setting>& settings, const std::vector<Refused>& refused) {
+  for (const Refused& one : refused) {
+    const auto last =
+        std::find_if(settings.rbegin(), settings.rend(), [&](const Setting& s) { return s.key == one.key; });
+    if (last == settings.rend() || last->value == one.is_done || IsDefault(*last)) continue;
+    return BadInput(last->origin + ": " + one.key + ": " + one.why);
+  }
+  return Status::Ok();
 }
 
 }  // namespace
 
-void SequenceArguments::AddTo(CLI::App& command, const std::vector<RefusedOption>& refused) {
+void SequenceArguments::AddTo(CLI::App& command, const std::vector<Refused>& not_taken) {
+  refused = not_taken;
   command.add_option("DIR", places, "The folder of the sequence, with rgb.txt and depth.txt or associations.txt")
       ->required()
       ->expected(1, -1);
@@ -103,7 +122,9 @@ void SequenceArguments::AddTo(CLI::App& command, const std::vector<RefusedOption
                      "The detector's network, any YOLO export in ONNX; left out: models/yolo_mo.onnx");
   command.add_option("--seed", seed, "Of everything that is drawn by chance");
   command.add_option("--max-frames", max_frames, "Only the first so many colour pictures");
-  for (const RefusedOption& option : refused) Refuse(command, option);
+  for (const Refused& one : refused) {
+    if (one.option[0] != '\0') RefuseOption(command, one);
+  }
 }
 
 Result<long long> WholeNumber(const std::string& option, const std::string& text, long long least, long long most) {
@@ -113,10 +134,13 @@ Result<long long> WholeNumber(const std::string& option, const std::string& text
                   ", not " + text);
 }
 
+Result<long long> WholeNumber(const std::string& option, const std::optional<std::string>& text, long long otherwise,
+                              long long least, long long most) {
+  return text ? WholeNumber(option, *text, least, most) : otherwise;
+}
+
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   OpenedSequence opened;
-  if (options.camera && options.camera->empty()) return BadInput("--camera is empty; give a file or a name");
-  if (options.config && options.config->empty()) return BadInput("--config is empty; give a file");
   const auto places = SortPlaces(options.places);
   if (!places) return places.error();
   opened.folder = places->folder;
@@ -132,6 +156,7 @@ Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   settings.insert(settings.end(), own->begin(), own->end());
   auto config = WithSettings(Config(), settings);
   if (!config) return config.error();
+  if (const Status taken = CheckTaken(settings, options.refused); !taken) return taken.error();
   opened.config = *std::move(config);
   const Status valid = ValidateConfig(opened.config);
   if (!valid) return valid.error();

@@ -15,9 +15,12 @@
 
 namespace yorb {
 
-/// An option that a command does not take: its help leaves it out, and whoever gives it is told why.
-struct RefusedOption {
-  const char *name, *why;
+/// What a command does not take: whoever gives the option, which the help leaves out, or sets the key with --set or
+/// --config to what is neither the default nor done anyway, is told why.
+struct Refused {
+  const char* option;        ///< empty: there is none
+  const char *key, *why;     ///< of the configuration
+  const char* is_done = "";  ///< the value that the command uses
 };
 
 /// The options of every command that runs SLAM on a sequence, as they were written.
@@ -27,8 +30,10 @@ struct SequenceArguments {
   std::vector<std::string> settings;  ///< of --set
   std::optional<std::string> mode, dynamics, detections, masks, model, seed, max_frames;
 
+  std::vector<Refused> refused;
+
   /// Adds them to a subcommand, which keeps pointers into this object.
-  void AddTo(CLI::App& command, const std::vector<RefusedOption>& refused = {});
+  void AddTo(CLI::App& command, const std::vector<Refused>& not_taken = {});
 };
 
 /// A sequence that is ready to run.
@@ -40,6 +45,10 @@ struct OpenedSequence {
 
 /// The whole number that was written for an option; bad input, by the option's name, outside of the range.
 Result<long long> WholeNumber(const std::string& option, const std::string& text, long long least, long long most);
+
+/// The same of an option that may be left out.
+Result<long long> WholeNumber(const std::string& option, const std::optional<std::string>& text, long long otherwise,
+                              long long least, long long most);
 
 /// Reads config file and settings (the options above all, then --set, then --config), and opens the sequence.
 Result<OpenedSequence> OpenSequence(const SequenceArguments& options);

@@ -8,6 +8,7 @@
 
 #include "apps/command.h"
 #include "apps/progress.h"
+#include "apps/sequence_arguments.h"
 #include "apps/signals.h"
 #include "camera/builtin_cameras.h"
 #include "camera/camera_io.h"
@@ -28,15 +29,6 @@ struct SynthArguments {
   bool is_png = false, is_quiet = false;
 };
 
-Result<long long> Whole(const char* name, const std::optional<std::string>& text, long long otherwise, long long low,
-                        long long high) {
-  if (!text) return otherwise;
-  const auto number = ParseInteger(*text);
-  if (number && *number >= low && *number <= high) return *number;
-  return BadInput(std::string(name) + " must be a whole number from " + std::to_string(low) + " to " +
-                  std::to_string(high) + ", not " + *text);
-}
-
 /// The camera to render with: --camera or fr3's, at the size asked for, with the distortion asked for.
 Result<Rig> RigOf(const SynthArguments& arguments) {
   Rig rig = SyntheticRig();
@@ -45,9 +37,9 @@ Result<Rig> RigOf(const SynthArguments& arguments) {
     if (!read) return read.error();
     rig = *std::move(read);
   }
-  const auto width = Whole("--width", arguments.width, rig.camera.width, 64, 4096);
+  const auto width = WholeNumber("--width", arguments.width, rig.camera.width, 64, 4096);
   if (!width) return width.error();
-  const auto height = Whole("--height", arguments.height, rig.camera.height, 64, 4096);
+  const auto height = WholeNumber("--height", arguments.height, rig.camera.height, 64, 4096);
   if (!height) return height.error();
   if (*width == 0 || *height == 0)
     return BadInput("camera " + rig.name + " states no picture size; give --width and --height");
@@ -78,14 +70,14 @@ Result<SequenceOptions> SequenceOf(const SynthArguments& arguments) {
     return BadInput(arguments.path + " is no camera path; did you mean " + NearestWord(arguments.path, PathNames()) +
                     "?");
   options.path = *path;
-  const auto frames =
-      Whole("--frames", arguments.frames, *path == PathKind::kLoop ? kDefaultLoopFrames : kDefaultFrames, 1, 1000000);
+  const auto frames = WholeNumber("--frames", arguments.frames,
+                                  *path == PathKind::kLoop ? kDefaultLoopFrames : kDefaultFrames, 1, 1000000);
   if (!frames) return frames.error();
   options.num_frames = static_cast<int>(*frames);
-  const auto seed = Whole("--seed", arguments.seed, 1, 0, std::numeric_limits<long long>::max());
+  const auto seed = WholeNumber("--seed", arguments.seed, 1, 0, std::numeric_limits<long long>::max());
   if (!seed) return seed.error();
   options.seed = static_cast<uint64_t>(*seed);
-  const auto people = Whole("--people", arguments.people, 0, 0, kMaxPeople);
+  const auto people = WholeNumber("--people", arguments.people, 0, 0, kMaxPeople);
   if (!people) return people.error();
   options.num_people = static_cast<int>(*people);
   const auto noise = ParseDouble(arguments.noise.value_or("1"));
@@ -94,7 +86,7 @@ Result<SequenceOptions> SequenceOf(const SynthArguments& arguments) {
   auto rig = RigOf(arguments);
   if (!rig) return rig.error();
   options.rig = *std::move(rig);
-  const auto threads = Whole("--threads", arguments.threads, NumHardwareThreads(), 1, 1024);
+  const auto threads = WholeNumber("--threads", arguments.threads, NumHardwareThreads(), 1, 1024);
   if (!threads) return threads.error();
   options.room.num_threads = static_cast<int>(*threads);
   const Status checked = CheckOptions(options);
@@ -119,7 +111,7 @@ int Synth(const SynthArguments& arguments) {
   const Stopwatch watch;
   const auto options = SequenceOf(arguments);
   if (!options) return Complain(options.error());
-  const auto quality = Whole("--quality", arguments.quality, 95, 1, 100);
+  const auto quality = WholeNumber("--quality", arguments.quality, 95, 1, 100);
   if (!quality) return Complain(quality.error());
   const Status prepared = PrepareFolder(arguments.out, Describe(arguments, *options));
   if (!prepared) return Complain(prepared.error());

@@ -35,31 +35,21 @@ struct TrainArguments {
   bool is_quiet = false;
 };
 
-Status ReadWhole(const char* name, const std::optional<std::string>& text, long long low, long long high,
-                 long long& value) {
-  if (!text) return Status::Ok();
-  const auto number = WholeNumber(name, *text, low, high);
-  if (!number) return number.error();
-  value = *number;
-  return Status::Ok();
-}
-
-Result<LearningOptions> OptionsOf(const TrainArguments& arguments) {
+Result<LearningOptions> OptionsOf(const TrainArguments& a) {
   LearningOptions options;
-  long long branching = options.training.branching, levels = options.training.levels, seed = options.training.seed;
-  auto most_pictures = static_cast<long long>(options.most_pictures);
-  long long threads = NumHardwareThreads();
-  for (const Status& read : {ReadWhole("--branching", arguments.branching, 2, kMostBranches, branching),
-                             ReadWhole("--levels", arguments.levels, 1, kMostTreeLevels, levels),
-                             ReadWhole("--seed", arguments.seed, 0, std::numeric_limits<long long>::max(), seed),
-                             ReadWhole("--max-pictures", arguments.most_pictures, 1, 1000000, most_pictures),
-                             ReadWhole("--threads", arguments.threads, 1, 1024, threads)}) {
-    if (!read) return read.error();
+  const auto branching = WholeNumber("--branching", a.branching, options.training.branching, 2, kMostBranches);
+  const auto levels = WholeNumber("--levels", a.levels, options.training.levels, 1, kMostTreeLevels);
+  const auto seed = WholeNumber("--seed", a.seed, options.training.seed, 0, std::numeric_limits<long long>::max());
+  const auto most_pictures =
+      WholeNumber("--max-pictures", a.most_pictures, static_cast<long long>(options.most_pictures), 1, 1000000);
+  const auto threads = WholeNumber("--threads", a.threads, NumHardwareThreads(), 1, 1024);
+  for (const auto* number : {&branching, &levels, &seed, &most_pictures, &threads}) {
+    if (!*number) return number->error();
   }
-  options.training.branching = static_cast<int>(branching), options.training.levels = static_cast<int>(levels);
-  options.training.seed = seed;
-  options.training.num_threads = static_cast<int>(threads);
-  options.most_pictures = static_cast<size_t>(most_pictures);
+  options.training.branching = static_cast<int>(*branching), options.training.levels = static_cast<int>(*levels);
+  options.training.seed = *seed;
+  options.training.num_threads = static_cast<int>(*threads);
+  options.most_pictures = static_cast<size_t>(*most_pictures);
   return options;
 }
 
@@ -73,13 +63,7 @@ Status CheckOut(const std::string& out) {
   return Status::Ok();
 }
 
-std::string DigestText(const Vocabulary& vocabulary) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, vocabulary.digest());
-  return text;
-}
-
-std::string SizeText(const Vocabulary& vocabulary) {
+std::string TreeText(const Vocabulary& vocabulary) {
   return std::to_string(vocabulary.num_words()) + " words in a tree of " + std::to_string(vocabulary.branching()) +
          " branches and " + std::to_string(vocabulary.levels()) + " levels";
 }
@@ -104,7 +88,7 @@ Status TrainAndWrite(const TrainArguments& arguments) {
   if (!learnt) return learnt.error();
   if (Status written = WriteVocabulary(*learnt->vocabulary, arguments.out); !written) return written;
   if (!arguments.is_quiet) {
-    std::printf("%s, from %zu points of %zu pictures, in %s s: %s\n", SizeText(*learnt->vocabulary).c_str(),
+    std::printf("%s, from %zu points of %zu pictures, in %s s: %s\n", TreeText(*learnt->vocabulary).c_str(),
                 learnt->num_points, learnt->num_pictures, FormatFixed(watch.seconds(), 1).c_str(),
                 arguments.out.c_str());
   }
@@ -131,12 +115,12 @@ int Info(const std::string& file, bool wants_json) {
     json["words"] = (*vocabulary)->num_words();
     json["branching"] = (*vocabulary)->branching();
     json["levels"] = (*vocabulary)->levels();
-    json["digest"] = DigestText(**vocabulary);
+    json["digest"] = HexText((*vocabulary)->digest());
     json["bytes"] = bytes;
     std::printf("%s\n", json.dump().c_str());
   } else {
-    std::printf("%s: %s, %" PRIu64 " bytes, digest %s\n", file.c_str(), SizeText(**vocabulary).c_str(), bytes,
-                DigestText(**vocabulary).c_str());
+    std::printf("%s: %s, %" PRIu64 " bytes, digest %s\n", file.c_str(), TreeText(**vocabulary).c_str(), bytes,
+                HexText((*vocabulary)->digest()).c_str());
   }
   return kExitDone;
 }

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "core/log.h"
 #include "core/text.h"
 #include "runs/version.h"
 
@@ -113,6 +114,18 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error) {
   return FullName(command) + ": " + error.what() + help;
 }
 
+/// Bad input for an option with nothing behind it, as scripts give it whose variable is not set: taken as left out, it
+/// would be ignored in silence. Whoever asks for a folder by position complains of an empty one himself.
+Status CheckValues(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    const bool is_named = !option->get_lnames().empty();
+    if (is_named && std::any_of(values.begin(), values.end(), [](const std::string& v) { return v.empty(); }))
+      return BadInput("--" + option->get_lnames().front() + " is empty; give a value, or leave it out");
+  }
+  return Status::Ok();
+}
+
 int ReadAndAct(int argc, char** argv) {
   CLI::App program{"yorb: visual SLAM that stays accurate among moving people", "yorb"};
   program.require_subcommand(1);
@@ -137,7 +150,10 @@ int ReadAndAct(int argc, char** argv) {
     if (error.get_exit_code() == 0) return program.exit(error);  // help or version, on standard output
     return Complain(BadInput(Explain(program, error)));
   }
-  return action();
+  if (const Status given = CheckValues(ChosenCommand(program)); !given) return Complain(given.error());
+  const int code = action();
+  SumUpWarnings();  // of commands that keep no log: a warning that repeats is counted, never lost
+  return code;
 }
 
 /// Whether standard output goes into a pipe whose reader has seen enough (`| head`).

@@ -91,6 +91,16 @@ TEST_F(Detect, TextNamesWhatIsThereAndOnlyWhatWasAskedFor) {
   ExpectRefused("cup", "set/images/1.png --model net.onnx --classes cap --json");
 }
 
+TEST_F(Detect, PicturesThatWereThereBeforeStay) {
+  folder_.Write("album/0.png", "somebody's");
+  const Outcome outcome = Call("set/images --model net.onnx --save album");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(folder_.Read("album/0.png"), "somebody's");
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("album/0.png was there before"), HasSubstr("album/0_2.png")));
+  for (const char* name : {"album/0_2.png", "album/1.png"})
+    EXPECT_EQ(ReadPictureFile(folder_.Path(name)).pixels.size(), cv::Size(64, 64)) << name;
+}
+
 TEST_F(Detect, UnreadablePicturesAreNamedAfterTheOthers) {
   folder_.Write("broken.png", "no picture");
   const Outcome outcome = Call("gone.png broken.png set/images/0.png --model net.onnx --json");

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "core/text.h"
+#include "system/config_io.h"
 #include "tests/synthetic_dataset.h"
 
 namespace yorb {
@@ -120,6 +121,20 @@ TEST_F(Program, WrongCommandLinesAreRefusedInOneLineWithTheNearestKnownWord) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+TEST_F(Program, OptionsWithNothingBehindThemAreRefusedByName) {
+  const std::string room = In("room");
+  for (const char* option : {"--camera", "--config", "--set", "--detections", "--masks", "--model", "--save-overlay",
+                             "--save-map", "--load-map", "--out"})
+    ExpectRefused(option + std::string(" is empty"), {"run", room, option, ""});
+  ExpectRefused("--camera is empty", {"check", room, "--camera", ""});
+  ExpectRefused("--model is empty", {"detect", room, "--model", ""});
+  ExpectRefused("--evaluate is empty", {"detect", "--evaluate", ""});
+  ExpectRefused("--masks is empty", {"map", "export", In("a.map"), "--out", In("a.ply"), "--masks", ""});
+  ExpectRefused("--out is empty", {"bench", "detector", "--out", ""});
+  ExpectRefused("--estimate is empty", {"eval", "--reference", "a", "--estimate", "b", ""});
+  ExpectRefused("--csv is empty", {"eval", "--reference", "a", "--estimate", "b", "--csv", ""});
+}
+
 TEST_F(Program, WhatWasAskedForIsNotLeftOutInSilence) {
   const std::string room = In("room"), out = In("asked");
   ExpectRefused("no_boxes.txt", {"run", room, "--detections", "no_boxes.txt", "--out", out});
@@ -142,8 +157,23 @@ TEST_F(Program, BenchesOfferWhatTheyTake) {
   }
 }
 
+TEST_F(Program, BenchesRefuseSettingsThatTheyWouldPassOver) {
+  const std::string room = In("room");
+  for (const char* bench : {"dynamic", "light"}) {
+    for (const char* setting :
+         {"load_map=nothere.map", "localize_only=true", "detections=people.txt", "dynamics=paper"})
+      ExpectRefused("--set: " + std::string(setting).substr(0, 6), {"bench", bench, room, "--set", setting});
+  }
+  ExpectRefused("--set: mode", {"bench", "light", room, "--set", "mode=live"});
+  ASSERT_TRUE(WriteFileWhole(In("whole.yaml"), ConfigText(Config(), "")).ok());
+  ASSERT_TRUE(WriteFileWhole(In("paper.yaml"), "dynamics: paper\n").ok());
+  ExpectRefused("paper.yaml, line 1: dynamics", {"bench", "dynamic", room, "--config", In("paper.yaml")});
+  ExpectRefused("people.txt", {"bench", "dynamic", room, "--config", In("whole.yaml"), "--way", "full-exact"});
+  ExpectRefused("nothere.map", {"bench", "speed", room, "--set", "load_map=nothere.map", "dynamics=off"});
+}
+
 TEST_F(Program, CountsOfBenchesAreWholeNumbersFromOneOn) {
-  for (const char* bad : {"-1", "0", "x", "1.5", "", "99999999999999999999"}) {
+  for (const char* bad : {"-1", "0", "x", "1.5", "99999999999999999999"}) {
     ExpectRefused("--rounds must be a whole number from 1 ", {"bench", "detector", "--rounds", bad});
     ExpectRefused("--runs must be a whole number from 1 ", {"bench", "dynamic", In("room"), "--runs", bad});
     if (bad != std::string("0"))  // all pictures
@@ -170,7 +200,20 @@ TEST_F(Program, EvalNeverOverwritesWhatItReads) {
   std::vector<std::string> covered = with("--csv", In("room/rgb.txt"));
   covered.insert(covered.end(), {"--sequence", In("room")});
   ExpectRefused("what --sequence reads", covered);
+  std::vector<std::string> both = with("--csv", In("room/../x.svg"));
+  both.insert(both.end(), {"--plot", In("x.svg")});
+  ExpectRefused("--plot would be one file", both);
+  covered.back() = In("nothere");
+  ExpectRefused("--sequence: folder " + In("nothere"), covered);
   for (int times = 0; times < 2; ++times) EXPECT_EQ(Call(with("--csv", In("errors.csv"))).code, 0) << "its own results";
+}
+
+TEST_F(Program, WarningsThatRepeatAreCountedByCommandsWithoutALogToo) {
+  SyntheticDataset(8).WriteTo(In("torn"));
+  for (int i = 2; i < 7; ++i) ASSERT_TRUE(WriteFileWhole(In("torn/rgb/" + std::to_string(i) + ".png"), "").ok());
+  const Outcome outcome = Call({"bench", "speed", In("torn"), "--dynamics", "off", "--mode", "inline"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("more of these warnings"));
 }
 
 TEST_F(Program, AnUnusableOutputFolderIsRefusedBeforeAnyWork) {
@@ -178,6 +221,26 @@ TEST_F(Program, AnUnusableOutputFolderIsRefusedBeforeAnyWork) {
   ExpectRefused("plain", {"run", In("room"), "--out", In("plain")});
   ExpectRefused("plain", {"run", In("room"), "--out", In("plain/run")});
   EXPECT_EQ(*ReadWholeText(In("plain")), "mine");
+}
+
+TEST_F(Program, BenchesTryTheirFolderBeforeAnyWork) {
+  const std::string taken = In("plain/bench");
+  ASSERT_TRUE(WriteFileWhole(In("plain"), "mine").ok());
+  ExpectRefused("plain", {"bench", "features", In("room/rgb"), "--out", taken});
+  ExpectRefused("plain", {"bench", "light", In("room"), "--out", taken});
+  ExpectRefused("plain", {"bench", "detector", "--out", taken});
+  ExpectRefused("holds no pictures", {"bench", "detector", "--out", In("bench"), "--pictures", In("nothere")});
+}
+
+TEST_F(Program, PlacesOfOneNameHaveTheirOwnFigures) {
+  for (const char* folder : {"one/office", "two/office"}) {
+    std::filesystem::create_directories(In(folder));
+    std::filesystem::copy_file(In("room/rgb/0.png"), In(folder + std::string("/0.png")));
+  }
+  const Outcome outcome = Call({"bench", "features", In("one/office"), In("two/office"), "--out", In("figures")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* name : {"office", "office_2"})
+    EXPECT_TRUE(std::filesystem::exists(In("figures/" + std::string(name) + "_figure5_light.png"))) << name;
 }
 
 TEST_F(Program, QuietRunsPrintNothingAndOthersAFewLines) {

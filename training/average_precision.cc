@@ -6,33 +6,27 @@
 #include <array>
 #include <cstdint>
 
+#include "core/iou.h"
+
 namespace yorb {
 namespace {
 
 constexpr int kNumThresholds = 10;
 
-double Iou(const SceneBox& a, const SceneBox& b) {
-  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
-  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  if (width <= 0 || height <= 0) return 0;
-  const double both = width * height;
-  return both / (1.0 * a.width() * a.height() + 1.0 * b.width() * b.height() - both);
-}
-
-struct Verdict {
+struct JudgedHit {
   float confidence = 0;
   std::array<bool, kNumThresholds> is_right{};
 };
 
 /// Judges the boxes of one class in one picture at one threshold.
 void JudgeAt(double threshold, size_t column, const std::vector<SceneBox>& truth, const std::vector<Detection>& found,
-             std::vector<Verdict>& verdicts) {
+             std::vector<JudgedHit>& verdicts) {
   std::vector<bool> is_taken(truth.size());
   for (size_t i = 0; i < found.size(); ++i) {
     double best = threshold;
     int best_index = -1;
     for (size_t t = 0; t < truth.size(); ++t) {
-      const double iou = is_taken[t] ? 0 : Iou(found[i].box, truth[t]);
+      const double iou = is_taken[t] ? 0 : IoU(found[i].box, truth[t]);
       if (iou >= best) best = iou, best_index = static_cast<int>(t);
     }
     if (best_index < 0) continue;
@@ -42,7 +36,7 @@ void JudgeAt(double threshold, size_t column, const std::vector<SceneBox>& truth
 }
 
 /// Area under the precision's upper hull, read at 101 points of recall.
-double AveragePrecision(const std::vector<Verdict>& verdicts, size_t column, int num_true) {
+double AveragePrecision(const std::vector<JudgedHit>& verdicts, size_t column, int num_true) {
   std::vector<double> precision, recall;
   int num_right = 0;
   for (size_t i = 0; i < verdicts.size(); ++i) {
@@ -65,7 +59,7 @@ std::vector<ClassScore> ScoreClasses(const std::vector<JudgedPicture>& pictures,
   std::vector<ClassScore> scores;
   for (int c = 0; c < num_classes; ++c) {
     ClassScore score{.class_index = c};
-    std::vector<Verdict> verdicts;
+    std::vector<JudgedHit> verdicts;
     for (const JudgedPicture& picture : pictures) {
       std::vector<SceneBox> truth;
       std::vector<Detection> found;

@@ -48,7 +48,7 @@ Result<PackItem> ReadItem(const LabelledFile& file, const BuildPackOptions& opti
   if (!doubtful) return doubtful.error();
   for (const LabelBox& box : *doubtful) {
     const bool is_known = std::any_of(boxes->begin(), boxes->end(), [&](const LabelBox& sure) {
-      return sure.class_index == box.class_index && BoxIou(sure, box) > kSameThing;
+      return sure.class_index == box.class_index && IoU(sure, box) > kSameThing;
     });
     if (!is_known) item.boxes.push_back(box);
   }

@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/iou.h"
+
 namespace yorb {
 namespace {
 
 float Sigmoid(float x) { return 1 / (1 + std::exp(-x)); }
-
-float Iou(const SceneBox& a, const SceneBox& b) {
-  const float width = std::min(a.right, b.right) - std::max(a.left, b.left);
-  const float height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  const float both = std::max(0.0f, width) * std::max(0.0f, height);
-  return both / (a.width() * a.height() + b.width() * b.height() - both + 1e-9f);
-}
 
 SceneBox BoxAt(const float* logits, int64_t row, int64_t column, const Anchor& anchor, float stride) {
   const float x = (2 * Sigmoid(logits[0]) - 0.5f + static_cast<float>(column)) * stride;
@@ -53,7 +48,7 @@ std::vector<Detection> Suppress(std::vector<Detection> found, const DecodeOption
   for (const Detection& candidate : found) {
     const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const Detection& better) {
       return better.box.class_index == candidate.box.class_index &&
-             Iou(better.box, candidate.box) > options.most_overlap;
+             IoU(better.box, candidate.box) > options.most_overlap;
     });
     if (is_new) kept.push_back(candidate);
     if (kept.size() == options.most_boxes) break;

@@ -3,6 +3,7 @@
 #include "training/export_onnx.h"
 
 #include "core/text.h"
+#include "detection/class_names.h"
 #include "training/onnx_graph.h"
 
 namespace yorb {
@@ -24,16 +25,6 @@ std::string AnchorsText(const Layout& layout) {
     return FormatShortest(a.width_px).append(", ").append(FormatShortest(a.height_px));
   };
   return ListText(layout.anchors, [&](const auto& level) { return ListText(level, pair); });
-}
-
-/// As a Python dictionary, which is what readers of YOLO models know.
-std::string NamesText(const ClassTable& table) {
-  std::string text;
-  for (int i = 0; i < table.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += std::to_string(i).append(": '").append(table.names[static_cast<size_t>(i)]).append("'");
-  }
-  return std::string("{").append(text).append("}");
 }
 
 std::string ConvNormTo(OnnxGraph& graph, const std::string& name, const std::string& in, const ConvNorm& conv_norm) {
@@ -125,7 +116,7 @@ std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size&
   const auto number = [](int value) { return std::to_string(value); };
   graph.Metadata("description", layout.name + " of yorb-slam");
   graph.Metadata("license", "BSD-3-Clause");
-  graph.Metadata("names", NamesText(table));
+  graph.Metadata("names", ClassNamesText(table.names));
   graph.Metadata("stride", ListText(layout.strides, number));
   graph.Metadata("anchors", AnchorsText(layout));
   graph.Metadata("imgsz", ListText(std::array<int, 2>{size.height, size.width}, number));

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/iou.h"
 #include "core/text.h"
 
 namespace yorb {
@@ -30,6 +31,15 @@ LabelBox FromCorners(double left, double top, double right, double bottom) {
           static_cast<float>(right - left), static_cast<float>(bottom - top)};
 }
 
+struct Corners {
+  double left = 0, top = 0, right = 0, bottom = 0;
+};
+
+Corners CornersOf(const LabelBox& box) {
+  const double half_width = box.width / 2.0, half_height = box.height / 2.0;
+  return {box.cx - half_width, box.cy - half_height, box.cx + half_width, box.cy + half_height};
+}
+
 LabelBox BoxOf(const std::vector<double>& n) {
   if (n.size() <= 6) return FromCorners(n[1] - n[3] / 2, n[2] - n[4] / 2, n[1] + n[3] / 2, n[2] + n[4] / 2);
   double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
@@ -40,7 +50,7 @@ LabelBox BoxOf(const std::vector<double>& n) {
   return FromCorners(left, top, right, bottom);
 }
 
-bool IsSame(const LabelBox& a, const LabelBox& b) { return a.class_index == b.class_index && BoxIou(a, b) > 0.999; }
+bool IsSame(const LabelBox& a, const LabelBox& b) { return a.class_index == b.class_index && IoU(a, b) > 0.999; }
 
 }  // namespace
 
@@ -85,13 +95,6 @@ Result<std::vector<LabelBox>> ReadDoubtfulBoxes(const std::string& path, int num
   return boxes;
 }
 
-double BoxIou(const LabelBox& a, const LabelBox& b) {
-  const auto overlap = [](double ca, double sa, double cb, double sb) {
-    return std::max(0.0, std::min(ca + sa / 2, cb + sb / 2) - std::max(ca - sa / 2, cb - sb / 2));
-  };
-  const double both = overlap(a.cx, a.width, b.cx, b.width) * overlap(a.cy, a.height, b.cy, b.height);
-  const double either = static_cast<double>(a.width) * a.height + static_cast<double>(b.width) * b.height - both;
-  return either > 0 ? both / either : 0;
-}
+double IoU(const LabelBox& a, const LabelBox& b) { return IoU(CornersOf(a), CornersOf(b)); }
 
 }  // namespace yorb

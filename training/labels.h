@@ -24,7 +24,7 @@ Result<std::vector<LabelBox>> ReadYoloLabels(const std::string& path, int num_cl
 /// [low, high). They come back as doubtful.
 Result<std::vector<LabelBox>> ReadDoubtfulBoxes(const std::string& path, int num_classes, double low, double high);
 
-/// Intersection over union of two boxes.
-double BoxIou(const LabelBox& a, const LabelBox& b);
+/// The area that two boxes share, over the area that they cover together.
+double IoU(const LabelBox& a, const LabelBox& b);
 
 }  // namespace yorb

@@ -119,8 +119,6 @@ void Scale(double factor_x, double factor_y, Rig& rig) {
   rig.baseline_px *= factor_x;
 }
 
-std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-
 }  // namespace
 
 Result<Rig> ParseCameraFile(const std::string& text, const std::string& path) {

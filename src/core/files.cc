@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/check.h"
+
 namespace yorb {
 namespace {
 
@@ -67,6 +69,9 @@ Status WriteFileQuickly(const std::string& path, const std::string& content) {
 }
 
 Status WriteFilesTogether(const std::vector<FileToWrite>& files) {
+  std::set<std::string> paths;
+  for (const FileToWrite& file : files)
+    YORB_CHECK(paths.insert(file.path).second, ("two files of one path: " + file.path).c_str());
   for (size_t i = 0; i < files.size(); ++i) {
     Status status = WriteDraft(files[i], ToDisk::kForced);
     if (status) continue;
@@ -89,6 +94,13 @@ std::string UntakenPath(const std::string& path, std::set<std::string>& taken) {
     untaken = (first.parent_path() / name).string();
   }
   return untaken;
+}
+
+std::string OwnName(const std::string& path) {
+  std::error_code error;
+  std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();
+  return error || !whole.has_filename() ? path : whole.filename().string();
 }
 
 }  // namespace yorb

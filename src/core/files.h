@@ -25,6 +25,9 @@ Status WriteFileQuickly(const std::string& path, const std::string& content);
 /// what it gives is taken from then on.
 std::string UntakenPath(const std::string& path, std::set<std::string>& taken);
 
+/// A file's or folder's own name, whatever its path looks like: "a" for "b/../a/", that of the current folder for ".".
+std::string OwnName(const std::string& path);
+
 /// One file to be written.
 struct FileToWrite {
   std::string path;
@@ -32,7 +35,7 @@ struct FileToWrite {
 };
 
 /// Writes several files that belong together: none is put in its place before all of them could be written, so that a
-/// full disk leaves the old ones as they were.
+/// full disk leaves the old ones as they were. Their paths must differ.
 Status WriteFilesTogether(const std::vector<FileToWrite>& files);
 
 }  // namespace yorb

@@ -44,10 +44,20 @@ TEST(UntakenPath, CountsUntilNoOtherHasTheName) {
   EXPECT_EQ(UntakenPath("x.png", taken), "x_2.png");
 }
 
+TEST(OwnName, IsTheLastPartHoweverAPathIsWritten) {
+  for (const char* path : {"a", "a/", "b/a", "/b/a/.", "b/../a//", "./a"}) EXPECT_EQ(OwnName(path), "a") << path;
+  EXPECT_EQ(OwnName("."), std::filesystem::current_path().filename().string());
+  EXPECT_EQ(OwnName("/"), "/");
+}
+
 TEST_F(Files, LeaveNoDraftsBehind) {
   ASSERT_TRUE(WriteFilesTogether({{folder_ + "a", "1"}, {folder_ + "b", "2"}}).ok());
   EXPECT_EQ(Count(), 2u);
   EXPECT_EQ(Text("a") + Text("b"), "12");
+}
+
+TEST_F(Files, TwoOfOnePathAreAMistakeOfOurs) {
+  EXPECT_DEATH((void)WriteFilesTogether({{folder_ + "a", "1"}, {folder_ + "a", "2"}}), "two files of one path");
 }
 
 TEST_F(Files, NoneIsReplacedWhereOneCannotBeWritten) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace yorb {
 
@@ -38,6 +39,12 @@ double Quantile(std::vector<double> values, double fraction) {
   if (index + 1 == values.size()) return low;
   const double high = *std::min_element(nth + 1, values.end());
   return low + (high - low) * (position - static_cast<double>(index));
+}
+
+double MedianStep(const std::vector<Timestamp>& times) {
+  std::vector<double> steps;
+  for (size_t i = 1; i < times.size(); ++i) steps.push_back(SecondsBetween(times[i - 1], times[i]));
+  return Quantile(std::move(steps), 0.5);
 }
 
 }  // namespace yorb

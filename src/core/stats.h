@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/time.h"
+
 namespace yorb {
 
 /// The six numbers that trajectory evaluations print; `std` is over n, as numpy and TUM's scripts have it.
@@ -19,5 +21,8 @@ Summary Summarize(std::vector<double> values);
 /// The value below which `fraction` of the sample lies, by linear interpolation between neighbours as numpy does it;
 /// 0 for an empty sample.
 double Quantile(std::vector<double> values, double fraction);
+
+/// The median of the steps between neighbours in seconds; 0 for fewer than two.
+double MedianStep(const std::vector<Timestamp>& times);
 
 }  // namespace yorb

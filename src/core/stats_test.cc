@@ -75,5 +75,11 @@ TEST(Stats, QuantileAgreesWithSorting) {
   }
 }
 
+TEST(MedianStep, IsThatOfNeighboursAndZeroForFew) {
+  EXPECT_EQ(MedianStep({}), 0);
+  EXPECT_EQ(MedianStep({{5}}), 0);
+  EXPECT_NEAR(MedianStep({{0}, {100000000}, {200000000}, {900000000}}), 0.1, 1e-12);
+}
+
 }  // namespace
 }  // namespace yorb

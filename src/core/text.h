@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,6 +58,12 @@ std::string FormatFixed(double value, int decimals);
 
 /// The shortest text that reads back as the same number, with a decimal point in every locale.
 std::string FormatShortest(double value);
+
+/// A picture's size: "640x480".
+std::string SizeText(int width, int height);
+
+/// Sixteen hexadecimal digits.
+std::string HexText(uint64_t value);
 
 /// In small letters; only those of ASCII are changed.
 std::string LowerCase(std::string text);

@@ -204,6 +204,12 @@ TEST(Text, SmallLettersAreThoseOfAscii) {
   EXPECT_EQ(LowerCase(""), "");
 }
 
+TEST(Text, SizesAndDigestsHaveOneSpelling) {
+  EXPECT_EQ(SizeText(640, 480), "640x480");
+  EXPECT_EQ(HexText(0), "0000000000000000");
+  EXPECT_EQ(HexText(0xfedcba9876543210), "fedcba9876543210");
+}
+
 TEST(Text, NearestWordIsTheOneAUserMeant) {
   EXPECT_EQ(NearestWord("featurs", {"tracking", "features", "mapping"}), "features");
   EXPECT_EQ(NearestWord("mode", {"model", "mode", "nodes"}), "mode");

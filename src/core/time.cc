@@ -78,4 +78,10 @@ std::string ToString(Timestamp time) {
   return (is_negative ? "-" : "") + std::to_string(ns / 1000000000u) + "." + fraction;
 }
 
+std::string RangeText(const std::vector<Timestamp>& times) {
+  if (times.empty()) return "";
+  const auto range = std::minmax_element(times.begin(), times.end());
+  return ToString(*range.first) + " to " + ToString(*range.second);
+}
+
 }  // namespace yorb

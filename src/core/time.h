@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace yorb {
 
@@ -38,5 +39,8 @@ std::optional<Timestamp> ParseTimestamp(std::string_view text);
 
 /// Seconds with a decimal point in every locale: six decimals, or nine where six would lose something.
 std::string ToString(Timestamp time);
+
+/// What times cover, whatever their order: "1.000000 to 2.500000"; empty for none.
+std::string RangeText(const std::vector<Timestamp>& times);
 
 }  // namespace yorb

@@ -106,6 +106,11 @@ TEST(Time, OrderIsOfWholeNumbers) {
   EXPECT_FALSE(b < a || b <= a || a > b || a >= b || a == b);
 }
 
+TEST(Time, ARangeIsWhatTimesCover) {
+  EXPECT_EQ(RangeText({{2500000000}, {1000000000}, {1500000000}}), "1.000000 to 2.500000");
+  EXPECT_EQ(RangeText({}), "");
+}
+
 TEST(SecondsBetween, IsTheSameForStampsThatWerePrintedFromDoubles) {
   const auto a = ParseTimestamp("1305031102.175304"), b = ParseTimestamp("1305031102.211214");
   const auto printed_a = ParseTimestamp("1.305031102175303936e+09"),

@@ -34,12 +34,6 @@ std::vector<Pair> PairsWithin(const std::vector<Timestamp>& colour, const std::v
 
 }  // namespace
 
-double MedianStep(const std::vector<Timestamp>& times) {
-  std::vector<double> steps;
-  for (size_t i = 1; i < times.size(); ++i) steps.push_back(SecondsBetween(times[i - 1], times[i]));
-  return Quantile(std::move(steps), 0.5);
-}
-
 std::vector<int> Associate(const std::vector<Timestamp>& colour, const std::vector<Timestamp>& depth,
                            double max_difference) {
   const auto pairs = PairsWithin(colour, depth, std::llround(max_difference * 1e9));

@@ -17,7 +17,4 @@ constexpr double kMaxPairDifference = 0.02;
 std::vector<int> Associate(const std::vector<Timestamp>& colour, const std::vector<Timestamp>& depth,
                            double max_difference = kMaxPairDifference);
 
-/// The median of the steps between neighbours in seconds; 0 for fewer than two.
-double MedianStep(const std::vector<Timestamp>& times);
-
 }  // namespace yorb

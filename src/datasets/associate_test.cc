@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <random>
 
+#include "core/stats.h"
+
 namespace yorb {
 namespace {
 
@@ -80,12 +82,6 @@ TEST(Associate, EmptyListsAndSinglePicturesAreFine) {
   EXPECT_TRUE(Associate({}, Every(1, 3)).empty());
   EXPECT_EQ(Associate(Every(1, 2), {}), (std::vector<int>{-1, -1}));
   EXPECT_EQ(Associate(Every(1, 1), Every(1, 1, 0.01)), (std::vector<int>{0}));
-}
-
-TEST(MedianStep, OfFewStampsIsZero) {
-  EXPECT_EQ(MedianStep({}), 0);
-  EXPECT_EQ(MedianStep(Every(1, 1)), 0);
-  EXPECT_NEAR(MedianStep(Every(0.1, 5)), 0.1, 1e-12);
 }
 
 }  // namespace

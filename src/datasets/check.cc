@@ -153,10 +153,8 @@ void Examiner::ReportCamera() {
       chosen->rig.name + " (" + chosen->how + "): fx " + FormatFixed(camera.fx, 2) + ", fy " +
           FormatFixed(camera.fy, 2) + ", cx " + FormatFixed(camera.cx, 2) + ", cy " + FormatFixed(camera.cy, 2) +
           (camera.HasDistortion() ? ", distorted" : ""));
-  const std::string named = CameraOfFolderName(check_.folder);
-  if (!named.empty() && named != chosen->rig.name) {
-    Add(Level::kWarning, "camera", "the folder's name stands for camera " + named);
-  }
+  const std::string unlike = UnlikeFolderName(check_.folder, chosen->rig);
+  if (!unlike.empty()) Add(Level::kWarning, "camera", unlike);
   chosen_ = std::move(*chosen);
 }
 

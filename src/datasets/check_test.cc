@@ -84,6 +84,16 @@ TEST_F(Check, AbsurdDepthFactorsAndSizesAreSeen) {
   EXPECT_TRUE(Finds(Run(), Finding::Level::kError, "depth"));
 }
 
+TEST_F(Check, TellsOfAnotherCameraThanTheFoldersNameSaysWhereARunDoes) {
+  std::filesystem::rename(folder_.Path("seq"), folder_.Path("rgbd_dataset_freiburg1_seq"));
+  const std::string folder = folder_.Path("rgbd_dataset_freiburg1_seq");
+  EXPECT_THAT(TextsOf(CheckSequence(folder, ""), Finding::Level::kWarning, "camera"),
+              HasSubstr("stands for camera tum_fr1"));
+  const auto own = CheckSequence(folder, folder_.Write("own.yaml", "fx: 517\nfy: 516\ncx: 318\ncy: 255\nname: own\n"));
+  EXPECT_EQ(TextsOf(own, Finding::Level::kWarning, "camera").find("stands for"), std::string::npos)
+      << "a calibration of one's own for the same camera";
+}
+
 TEST_F(Check, AnInvertedDepthFactorIsToldWithTheRightOne) {
   std::string camera = kTestCamera;
   folder_.Write("seq/camera.yaml", camera.replace(camera.find("1000"), 4, "0.001"));

@@ -10,8 +10,8 @@
 #include "camera/builtin_cameras.h"
 #include "camera/camera_io.h"
 #include "core/log.h"
+#include "core/stats.h"
 #include "core/text.h"
-#include "datasets/associate.h"
 #include "datasets/tum.h"
 #include "pictures/picture_file.h"
 #include "pictures/picture_folder.h"
@@ -35,16 +35,6 @@ std::string HintAt(const std::string& folder) {
     if (at->is_directory(ignored) && HasTumLayout(at->path().string())) inner = at->path().string();
   }
   return inner.empty() ? "" : "; did you mean " + inner + "?";
-}
-
-/// A warning where the folder says one camera and another is used: the classic mistake of a copied command line.
-void CompareWithFolderName(const std::string& folder, const Rig& rig) {
-  const std::string named = CameraOfFolderName(folder);
-  if (named.empty()) return;
-  const auto expected = ReadCamera(named);
-  if (!expected || std::abs(rig.camera.fx / expected->camera.fx - 1) < kSameFocalLength) return;
-  LogWarning("camera", "the folder's name stands for camera " + named + ", but camera " + rig.name +
-                           " with another focal length is used");
 }
 
 /// The first depth pictures must be depth; later ones are looked at as they come.
@@ -75,6 +65,15 @@ std::string CameraOfFolderName(const std::string& folder) {
     if (std::regex_match(name, match, tum)) return "tum_fr" + match[2].str();
   }
   return "";
+}
+
+std::string UnlikeFolderName(const std::string& folder, const Rig& rig) {
+  const std::string named = CameraOfFolderName(folder);
+  if (named.empty()) return "";
+  const auto expected = ReadCamera(named);
+  if (!expected || std::abs(rig.camera.fx / expected->camera.fx - 1) < kSameFocalLength) return "";
+  return "the folder's name stands for camera " + named + ", but camera " + rig.name +
+         " with another focal length is used";
 }
 
 Status CheckLayout(const std::string& folder, Layout layout) {
@@ -161,7 +160,7 @@ Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const Ch
   const double step = MedianStep(lists->colour.Times());
   if (rig->fps <= 0) rig->fps = step > 0 ? 1 / step : 30;
   if (const Status depth = CheckFirstDepth(*lists, *rig); !depth) return depth.error();
-  CompareWithFolderName(folder, chosen.rig);
+  if (const std::string unlike = UnlikeFolderName(folder, chosen.rig); !unlike.empty()) LogWarning("camera", unlike);
   if (const std::string odd = rig->Oddity(); !odd.empty()) {
     LogWarning("camera-odd", "camera " + rig->name + ": " + odd + "; check its file");
   }

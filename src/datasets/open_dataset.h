@@ -25,6 +25,10 @@ Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const st
 /// The built-in camera that a folder's own name stands for (`rgbd_dataset_freiburg1_xyz` is tum_fr1); empty if none.
 std::string CameraOfFolderName(const std::string& folder);
 
+/// In words, that the folder's name says one camera and another is used, the classic mistake of a copied command line;
+/// empty where their focal lengths are alike, as those of two calibrations of one camera are.
+std::string UnlikeFolderName(const std::string& folder, const Rig& rig);
+
 /// The camera of a recording as its file has it, and how it was chosen.
 struct ChosenCamera {
   Rig rig;

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "core/log.h"
-#include "datasets/associate.h"
+#include "core/stats.h"
 #include "pictures/endings.h"
 
 namespace yorb {

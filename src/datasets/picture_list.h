@@ -17,7 +17,7 @@ struct ListedPicture {
   Timestamp time;
   std::string name;  ///< as the list has it, without quotes
   std::string path;  ///< where it lies: relative names are relative to the list's folder
-  int line = 0;      ///< of the list
+  int line = 0;      ///< of the list; 0: in a folder without one
 };
 
 /// The pictures of one list, in the order of the list.

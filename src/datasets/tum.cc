@@ -32,16 +32,13 @@ bool Exists(const std::string& path) {
 
 std::string In(const std::string& folder, const char* name) { return (fs::path(folder) / name).string(); }
 
-std::string RangeOf(const std::vector<Timestamp>& times) {
-  const auto range = std::minmax_element(times.begin(), times.end());
-  return ToString(*range.first) + " to " + ToString(*range.second);
-}
+constexpr const char* kOtherAssociations[] = {"associate.txt", "association.txt", "associated.txt"};
 
 /// associations.txt, or the other names that it goes by where there is no rgb.txt; empty if none is there.
 std::string AssociationsFile(const std::string& folder) {
   if (Exists(In(folder, "associations.txt"))) return In(folder, "associations.txt");
   if (Exists(In(folder, "rgb.txt"))) return "";
-  for (const char* name : {"associate.txt", "association.txt", "associated.txt"}) {
+  for (const char* name : kOtherAssociations) {
     if (Exists(In(folder, name))) return In(folder, name);
   }
   return "";
@@ -92,7 +89,7 @@ Result<TumLists> FromTwoLists(const std::string& folder) {
   const size_t num_pairs = lists.NumWithDepth(), num_colour = lists.depth_of.size();
   if (num_pairs == 0) {
     return BadInput(folder + ": no colour picture has a depth picture within 20 ms: " + lists.colour.file + " covers " +
-                    RangeOf(colour_times) + ", " + lists.depth.file + " " + RangeOf(depth_times));
+                    RangeText(colour_times) + ", " + lists.depth.file + " " + RangeText(depth_times));
   }
   if (static_cast<double>(num_pairs) < kFewPairs * static_cast<double>(num_colour)) {
     LogWarning("pairs", folder + ": only " + std::to_string(num_pairs) + " of " + std::to_string(num_colour) +
@@ -179,6 +176,12 @@ size_t TumLists::NumWithDepth() const {
   return static_cast<size_t>(std::count_if(depth_of.begin(), depth_of.end(), [](int index) { return index >= 0; }));
 }
 
+std::vector<std::string> ListNames() {
+  std::vector<std::string> names = {"associations.txt", "rgb.txt", "depth.txt"};
+  names.insert(names.end(), std::begin(kOtherAssociations), std::end(kOtherAssociations));
+  return names;
+}
+
 bool HasTumLayout(const std::string& folder) {
   return !AssociationsFile(folder).empty() || Exists(In(folder, "rgb.txt"));
 }
@@ -227,9 +230,11 @@ Status LookForFiles(const TumLists& lists) {
     if (first == pictures.end()) continue;
     const auto num_missing = std::count_if(first, pictures.end(), is_missing);
     const std::string how_many = std::to_string(num_missing) + " of the " + std::to_string(pictures.size());
-    const char* const what = Exists(first->path) ? " is no file (" : " is missing (";
-    return BadInput(first->path + what + list->file + ", line " + std::to_string(first->line) + "); " + how_many +
-                    " files that the list names are not there" + WithAnotherEnding(first->path));
+    const std::string what = Exists(first->path) ? " is no file" : " is missing";
+    if (first->line == 0)
+      return BadInput(first->path + what + "; " + how_many + " pictures of " + list->file + " are not there");
+    return BadInput(first->path + what + " (" + list->file + ", line " + std::to_string(first->line) + "); " +
+                    how_many + " files that the list names are not there" + WithAnotherEnding(first->path));
   }
   return Status::Ok();
 }

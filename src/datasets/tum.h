@@ -23,6 +23,9 @@ struct TumLists {
   size_t NumWithDepth() const;
 };
 
+/// The names that lists of TUM's layout go by.
+std::vector<std::string> ListNames();
+
 /// Whether a folder has lists of TUM's layout.
 bool HasTumLayout(const std::string& folder);
 

@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Recording : public ::testing::Test {
  protected:
@@ -139,6 +140,24 @@ TEST_F(Recording, AssociationsWin) {
   EXPECT_THAT(Complaint(), HasSubstr("associations.txt, line 2"));
 }
 
+TEST_F(Recording, TheColourListAloneIsThatOfTheRecordingByAnyOfItsNames) {
+  const TestFolder lists;
+  EXPECT_FALSE(ReadColourList(lists.Path()).ok());
+  lists.Write("associated.txt",
+              "stamp file stamp file\n1.01,depth/a.png,1.0,rgb/a.png\n2.01,depth/b.png,2.0,rgb/b.png,7\n");
+  const auto read = ReadColourList(lists.Path());
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->Times(), (std::vector<Timestamp>{{1000000000}, {2000000000}}));
+  const std::vector<std::string> names = ListNames();
+  EXPECT_THAT(names, testing::Contains(std::filesystem::path(read->file).filename().string()));
+  lists.Write("rgb.txt", "timestamp filename\n1.0 a.png\n2.0 b.png\n3.0 c.png\n");
+  EXPECT_EQ(ReadColourList(lists.Path())->Times().size(), 3u);
+  lists.Write("associations.txt", "1.0 rgb/a.png 1.01 depth/a.png\n1.0 rgb/b.png 2.01 depth/b.png\n");
+  const auto repeated = ReadColourList(lists.Path());
+  ASSERT_FALSE(repeated.ok());
+  EXPECT_THAT(repeated.error().message, HasSubstr("associations.txt, line 2"));
+}
+
 TEST_F(Recording, FloatDepthNeedsNoFactorAndUnitsDo) {
   folder_.Write("bare.yaml", "fx: 50\nfy: 50\ncx: 31.5\ncy: 23.5\n");
   EXPECT_THAT(Complaint("seq", folder_.Path("bare.yaml")), HasSubstr("depth_factor"));
@@ -189,6 +208,10 @@ TEST_F(Recording, AnyPicturesDoForACameraThatIsOnlyLocated) {
   EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->NumWithDepth(), ReadTumLists(folder_.Path("seq"))->NumWithDepth());
   fs::remove(folder_.Path("seq/depth.txt"));
   EXPECT_EQ(ReadAnyPictures(folder_.Path("seq"))->colour.pictures.size(), 6u);
+  fs::create_symlink("nowhere.png", folder_.Path("photos/d.png"));
+  const std::string missing = LookForFiles(*ReadAnyPictures(folder_.Path("photos"))).error().message;
+  EXPECT_THAT(missing,
+              testing::AllOf(HasSubstr("photos/d.png is missing; 1 of the 4 pictures"), Not(HasSubstr("line"))));
   fs::create_directories(folder_.Path("empty"));
   EXPECT_THAT(CheckLayout(folder_.Path("empty"), Layout::kAnyPictures).error().message, HasSubstr("nor pictures"));
   EXPECT_TRUE(CheckLayout(folder_.Path("photos"), Layout::kAnyPictures));

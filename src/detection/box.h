@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <string>
 
 namespace yorb {
@@ -32,15 +31,6 @@ inline bool HasArea(const Box& box) { return box.right > box.left && box.bottom 
 /// Whether a place in pixels, not their numbers, lies in a box.
 inline bool Holds(const Box& box, double x, double y) {
   return x >= box.left && x < box.right && y >= box.top && y < box.bottom;
-}
-
-/// The shared area of two boxes beside the area of both together, 0 to 1.
-inline double IoU(const Box& a, const Box& b) {
-  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
-  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  if (width <= 0 || height <= 0) return 0;
-  const double shared = width * height;
-  return shared / (a.width() * a.height() + b.width() * b.height() - shared);
 }
 
 }  // namespace yorb

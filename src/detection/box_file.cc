@@ -21,11 +21,11 @@ bool IsSound(const Box& box) {
          std::isfinite(box.confidence) && HasArea(box);
 }
 
-void Add(const Box& box, TimedBoxes& moment, BoxFile& file) {
+void Add(const Box& box, TimedBoxes& moment) {
   if (IsSound(box)) {
     moment.boxes.push_back(box);
   } else {
-    ++file.num_dropped;
+    ++moment.num_dropped;
   }
 }
 
@@ -35,8 +35,9 @@ void Add(TimedBoxes moment, BoxFile& file) {
     return last.time == moment.time && last.width == moment.width && last.height == moment.height;
   };
   if (!file.moments.empty() && is_same(file.moments.back())) {
-    auto& boxes = file.moments.back().boxes;
-    boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
+    TimedBoxes& last = file.moments.back();
+    last.boxes.insert(last.boxes.end(), moment.boxes.begin(), moment.boxes.end());
+    last.num_dropped += moment.num_dropped;
   } else {
     file.moments.push_back(std::move(moment));
   }
@@ -55,7 +56,7 @@ Status ReadPeople(const TextFile& text, BoxFile& file) {
                       "timestamp and boxes; here stands '" + line.text.substr(0, 80) + "'");
     }
     TimedBoxes moment{*time, {}, line.number};
-    Add(Box{"person", 1, numbers[0], numbers[1], numbers[2], numbers[3]}, moment, file);
+    Add(Box{"person", 1, numbers[0], numbers[1], numbers[2], numbers[3]}, moment);
     Add(std::move(moment), file);
   }
   return Status::Ok();
@@ -142,7 +143,7 @@ Status ReadJsonLines(const TextFile& text, BoxFile& file) {
       Box box;
       const std::string fault = ReadBox(entry, box);
       if (!fault.empty()) return BadInput(text.Where(line) + ": " + fault);
-      Add(box, moment, file);
+      Add(box, moment);
     }
     Add(std::move(moment), file);
   }
@@ -162,6 +163,12 @@ bool AreFractions(const BoxFile& file) {
 }
 
 }  // namespace
+
+size_t BoxFile::num_dropped() const {
+  size_t count = 0;
+  for (const TimedBoxes& moment : moments) count += moment.num_dropped;
+  return count;
+}
 
 Result<BoxFile> ReadBoxFile(const std::string& path) {
   const auto text = ReadTextFile(path);

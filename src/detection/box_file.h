@@ -18,6 +18,7 @@ struct TimedBoxes {
   std::vector<Box> boxes;
   int line = 0;               ///< of the file
   int width = 0, height = 0;  ///< of the picture that the boxes were found in, in pixels; 0: not said
+  size_t num_dropped = 0;     ///< boxes that were empty, swapped or no numbers: somebody may have been meant
 };
 
 /// Boxes that were found before: by another program, or by whoever knows the truth.
@@ -25,7 +26,8 @@ struct BoxFile {
   std::string path;
   std::vector<TimedBoxes> moments;  ///< in the order of the file
   bool names_all = false;           ///< a moment without a line has nobody in it (people.txt), else nobody looked
-  size_t num_dropped = 0;           ///< boxes that were empty, swapped or no numbers
+
+  size_t num_dropped() const;  ///< of all moments
 };
 
 /// Reads people.txt (`timestamp left top right bottom visible_px`, all persons) or JSON lines, told apart by the first

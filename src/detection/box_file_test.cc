@@ -90,7 +90,7 @@ TEST(BoxFile, BadLinesAreNamed) {
     EXPECT_THAT(file.error().message, AllOf(HasSubstr("boxes.txt"), HasSubstr("line 2")));
   }
   EXPECT_THAT(Read("1.5 0.1 0.2 0.3 0.4 1\n").error().message, HasSubstr("fractions"));
-  EXPECT_EQ(Read("1.5 30 20 10 40 1\n1.5 nan 2 3 4 1\n1.5 10 20 30 40 1\n")->num_dropped, 2u);
+  EXPECT_EQ(Read("1.5 30 20 10 40 1\n1.5 nan 2 3 4 1\n1.5 10 20 30 40 1\n")->num_dropped(), 2u);
 }
 
 TEST(FileDetector, ABoxBelongsToTheNearestFrameWithin15Milliseconds) {
@@ -114,6 +114,17 @@ TEST(FileDetector, AFrameWithoutALineWasNotLookedAt) {
   EXPECT_TRUE((*detector)->Detect(FrameAt(At("1")))->says_nobody);
   EXPECT_FALSE((*detector)->Detect(FrameAt(At("2")))->has_looked);
   EXPECT_FALSE((*detector)->Detect(FrameAt(At("2")))->says_nobody);
+}
+
+TEST(FileDetector, AMomentWhoseBoxesWereAllDroppedDoesNotSayThatNobodyIsThere) {
+  for (const char* text : {"1 nan 20 30 40 9\n1 30 20 10 40 9\n2 10 20 30 40 9\n",
+                           "{\"timestamp\": 1, \"boxes\": [{\"name\": \"person\", \"box\": [30, 20, 10, 40]}]}\n"}) {
+    const auto detector = FileDetector::Make(*Read(text), {At("1"), At("2")});
+    ASSERT_TRUE(detector);
+    const auto found = (*detector)->Detect(FrameAt(At("1")));
+    EXPECT_TRUE(found->boxes.empty());
+    EXPECT_FALSE(found->says_nobody) << "somebody was meant: " << text;
+  }
 }
 
 TEST(FileDetector, BoxesOutsideOfThePictureAreToldOfOnce) {

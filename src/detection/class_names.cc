@@ -176,6 +176,19 @@ std::optional<std::vector<std::string>> ParseClassNames(std::string_view text) {
   return names;
 }
 
+std::string ClassNamesText(const std::vector<std::string>& names) {
+  std::string text;
+  for (size_t i = 0; i < names.size(); ++i) {
+    text += (i > 0 ? ", " : "") + std::to_string(i) + ": '";
+    for (const char letter : names[i]) {
+      if (letter == '\'' || letter == '\\') text += '\\';
+      text += letter;
+    }
+    text += "'";
+  }
+  return "{" + text + "}";
+}
+
 std::vector<double> NumbersIn(std::string_view text) {
   std::vector<double> numbers;
   const std::string_view kParts = "0123456789.eE+-";

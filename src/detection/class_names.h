@@ -20,6 +20,9 @@ const std::vector<std::string>& CocoNames();
 /// a Python list, or the same as JSON. Nothing for any other text, and where a number from 0 on is missing.
 std::optional<std::vector<std::string>> ParseClassNames(std::string_view text);
 
+/// The names as such a Python dict, which is what readers of YOLO models know; ParseClassNames reads it again.
+std::string ClassNamesText(const std::vector<std::string>& names);
+
 /// All numbers that stand in a text, whatever stands between them: "[640, 480]", "640 480", "(10,13), (16,30)".
 std::vector<double> NumbersIn(std::string_view text);
 

@@ -19,6 +19,12 @@ TEST(ClassNames, DictsAndListsOfPythonAndJsonAreRead) {
   EXPECT_EQ(ParseClassNames("[ person , potted plant ]"), (Names{"person", "potted plant"}));
 }
 
+TEST(ClassNames, WhatIsWrittenIsReadAgainWhateverIsInTheNames) {
+  EXPECT_EQ(ClassNamesText({"person", "dining table"}), "{0: 'person', 1: 'dining table'}");
+  const Names odd{"driver's seat", "back\\slash", "\"quoted\"", "cup, mug", "{0: 'a'}", "扇子"};
+  EXPECT_EQ(ParseClassNames(ClassNamesText(odd)), odd);
+}
+
 TEST(ClassNames, NumbersMayStandInAnyOrderButNoneMayBeMissing) {
   EXPECT_EQ(ParseClassNames("{1: 'b', 0: 'a'}"), (Names{"a", "b"}));
   EXPECT_FALSE(ParseClassNames("{0: 'a', 2: 'c'}"));

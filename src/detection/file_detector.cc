@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "core/text.h"
 
 namespace yorb {
 namespace {
@@ -27,16 +28,12 @@ const Timestamp* NearestFrame(Timestamp time, const std::vector<Timestamp>& fram
   return nearest;
 }
 
-std::string RangeOf(const std::vector<Timestamp>& times) {
-  const auto range = std::minmax_element(times.begin(), times.end());
-  return ToString(*range.first) + " to " + ToString(*range.second);
-}
-
 Error NoneFits(const BoxFile& file, const std::vector<Timestamp>& frames) {
   std::vector<Timestamp> times;
   for (const TimedBoxes& moment : file.moments) times.push_back(moment.time);
-  return BadInput(file.path + " belongs to another recording: none of its moments, " + RangeOf(times) +
-                  ", is within 15 ms of a picture" + (frames.empty() ? "" : "; the pictures cover " + RangeOf(frames)));
+  return BadInput(file.path + " belongs to another recording: none of its moments, " + RangeText(times) +
+                  ", is within 15 ms of a picture" +
+                  (frames.empty() ? "" : "; the pictures cover " + RangeText(frames)));
 }
 
 }  // namespace
@@ -60,8 +57,8 @@ Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, co
     LogWarning("boxes-unmatched", file.path + ": " + std::to_string(detector->num_unmatched_) +
                                       " boxes are farther than 15 ms from every picture and are left out");
   }
-  if (file.num_dropped > 0) {
-    LogWarning("boxes-dropped", file.path + ": " + std::to_string(file.num_dropped) +
+  if (const size_t num_dropped = file.num_dropped(); num_dropped > 0) {
+    LogWarning("boxes-dropped", file.path + ": " + std::to_string(num_dropped) +
                                     " boxes are empty, swapped or no numbers and are left out");
   }
   return detector;
@@ -71,8 +68,7 @@ Status FileDetector::Scale(TimedBoxes& moment, int width, int height) {
   if (moment.width == 0 || (moment.width == width && moment.height == height)) return Status::Ok();
   const double x = static_cast<double>(width) / moment.width, y = static_cast<double>(height) / moment.height;
   const std::string sizes = path_ + ", line " + std::to_string(moment.line) + ": boxes of a picture of " +
-                            std::to_string(moment.width) + "x" + std::to_string(moment.height) + " pixels for one of " +
-                            std::to_string(width) + "x" + std::to_string(height);
+                            SizeText(moment.width, moment.height) + " pixels for one of " + SizeText(width, height);
   if (std::abs(x / y - 1) > kMostStretch)
     return BadInput(sizes + "; find them anew in these pictures, or leave width and height out of the file");
   if (!has_told_of_size_) LogWarning("boxes-scaled", sizes + "; such boxes are scaled");
@@ -90,12 +86,14 @@ Result<Detections> FileDetector::Detect(const ImageSet& images) {
     detections.says_nobody = detections.has_looked;
     return detections;
   }
+  size_t num_dropped = 0;
   for (TimedBoxes moment : found->second) {
+    num_dropped += moment.num_dropped;
     if (const Status scaled = Scale(moment, images.grey.cols, images.grey.rows); !scaled) return scaled.error();
     boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
   }
   std::stable_sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.confidence > b.confidence; });
-  detections.says_nobody = boxes.empty();
+  detections.says_nobody = boxes.empty() && num_dropped == 0;
   for (const Box& whole : boxes) {
     const Box box = Cut(whole, images.grey.cols, images.grey.rows);
     if (HasArea(box)) {
@@ -103,8 +101,7 @@ Result<Detections> FileDetector::Detect(const ImageSet& images) {
     } else if (!has_told_of_outside_) {
       has_told_of_outside_ = true;
       LogWarning("boxes-outside", path_ + ": a box for the picture of " + ToString(images.timestamp) +
-                                      " lies outside of its " + std::to_string(images.grey.cols) + "x" +
-                                      std::to_string(images.grey.rows) +
+                                      " lies outside of its " + SizeText(images.grey.cols, images.grey.rows) +
                                       " pixels; such boxes are left out (were they made on larger pictures?)");
     }
   }

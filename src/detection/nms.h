@@ -14,9 +14,6 @@ struct RawBox {
   int label = 0;
 };
 
-/// The area that two boxes share, over the area that they cover together; 0 where they do not touch.
-double Overlap(const RawBox& a, const RawBox& b);
-
 /// Of boxes of one class that overlap by more than `most_overlap`, the one of the highest confidence stays. By falling
 /// confidence, at most `most_boxes`.
 std::vector<RawBox> SuppressDoubles(std::vector<RawBox> boxes, double most_overlap, size_t most_boxes);

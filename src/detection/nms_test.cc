@@ -6,18 +6,12 @@
 
 #include <algorithm>
 
+#include "core/iou.h"
 #include "core/random.h"
 #include "detection/letterbox.h"
 
 namespace yorb {
 namespace {
-
-TEST(Nms, OverlapIsSharedOverCoveredArea) {
-  EXPECT_DOUBLE_EQ(Overlap({0, 0, 10, 10}, {0, 0, 10, 10}), 1);
-  EXPECT_DOUBLE_EQ(Overlap({0, 0, 10, 10}, {5, 0, 15, 10}), 50.0 / 150);
-  EXPECT_DOUBLE_EQ(Overlap({0, 0, 10, 10}, {10, 0, 20, 10}), 0);
-  EXPECT_DOUBLE_EQ(Overlap({0, 0, 0, 0}, {0, 0, 0, 0}), 0);
-}
 
 TEST(Nms, TheStrongestOfEachClassStays) {
   const std::vector<RawBox> boxes{
@@ -41,11 +35,10 @@ std::vector<RawBox> SlowSuppress(std::vector<RawBox> boxes, double most_overlap)
     const RawBox chosen = *best;
     kept.push_back(chosen);
     boxes.erase(best);
-    boxes.erase(std::remove_if(boxes.begin(), boxes.end(),
-                               [&](const RawBox& box) {
-                                 return box.label == chosen.label && Overlap(box, chosen) > most_overlap;
-                               }),
-                boxes.end());
+    boxes.erase(
+        std::remove_if(boxes.begin(), boxes.end(),
+                       [&](const RawBox& box) { return box.label == chosen.label && IoU(box, chosen) > most_overlap; }),
+        boxes.end());
   }
   return kept;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/iou.h"
+
 namespace yorb {
 namespace {
 

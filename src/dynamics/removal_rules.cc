@@ -31,7 +31,7 @@ std::vector<SortedBox> SortByMotion(const std::vector<Box>& boxes, const MotionT
   return sorted;
 }
 
-bool Overlap(const Box& a, const Box& b) {
+bool Touch(const Box& a, const Box& b) {
   return std::max(a.left, b.left) < std::min(a.right, b.right) && std::max(a.top, b.top) < std::min(a.bottom, b.bottom);
 }
 
@@ -41,7 +41,7 @@ BoxRules::BoxRules(const std::vector<SortedBox>& boxes) {
     if (sorted.motion == Motion::kStatic) still_.push_back(sorted.box);
   }
   for (const SortedBox& sorted : boxes) {
-    const bool touches = std::any_of(high_.begin(), high_.end(), [&](const Box& h) { return Overlap(h, sorted.box); });
+    const bool touches = std::any_of(high_.begin(), high_.end(), [&](const Box& h) { return Touch(h, sorted.box); });
     if (sorted.motion == Motion::kLow && touches) carried_.push_back(sorted.box);
   }
 }

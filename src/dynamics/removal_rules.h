@@ -30,7 +30,7 @@ struct SortedBox {
 std::vector<SortedBox> SortByMotion(const std::vector<Box>& boxes, const MotionTable& table);
 
 /// Whether two boxes share any area.
-bool Overlap(const Box& a, const Box& b);
+bool Touch(const Box& a, const Box& b);
 
 /// The paper's rules, box by box: a point in the box of a high-dynamic thing and in no static thing's is dynamic; so is
 /// one in the box of a low-dynamic thing that overlaps a high-dynamic one's. Never gives points back.

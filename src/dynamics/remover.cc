@@ -174,7 +174,7 @@ CellMask WithCarried(CellMask mask, const std::vector<BoxTrack>& tracks, const D
   for (const BoxTrack& carried : tracks) {
     if (carried.at.motion != Motion::kLow) continue;
     for (const BoxTrack& body : tracks) {
-      if (body.at.motion != Motion::kHigh || !body.body || !Overlap(body.at.box, carried.at.box)) continue;
+      if (body.at.motion != Motion::kHigh || !body.body || !Touch(body.at.box, carried.at.box)) continue;
       const CellRange range = depth.RangeOf(carried.at.box);
       for (int row = range.top; row < range.bottom; ++row) {
         for (int column = range.left; column < range.right; ++column) {

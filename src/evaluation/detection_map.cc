@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/iou.h"
+
 namespace yorb {
 namespace {
 
@@ -14,16 +16,16 @@ constexpr size_t kMostBoxes = 100;  // of a class in one picture, for average pr
 double LeastOverlap(size_t index) { return 0.5 + 0.05 * static_cast<double>(index); }
 
 /// One found box of a class: whether it is right, for every least overlap.
-struct Verdict {
+struct JudgedHit {
   double confidence = 0;
   bool is_on_curve = true;  ///< whether average precision knows it
   std::vector<bool> is_hit;
 };
 
 /// All about one class.
-struct ClassVerdicts {
+struct ClassHits {
   size_t num_true = 0;
-  std::vector<Verdict> verdicts;
+  std::vector<JudgedHit> hits;
 };
 
 std::vector<JudgedBox> OfClass(const std::vector<JudgedBox>& boxes, int label) {
@@ -39,7 +41,7 @@ std::optional<size_t> BestFree(const JudgedBox& box, const std::vector<JudgedBox
   std::optional<size_t> best;
   double most = std::min(least, 1 - 1e-10);
   for (size_t i = 0; i < truth.size(); ++i) {
-    const double overlap = is_taken[i] ? -1 : Overlap(box, truth[i]);
+    const double overlap = is_taken[i] ? -1 : IoU(box, truth[i]);
     if (overlap < most) continue;
     most = overlap;
     best = i;
@@ -48,48 +50,48 @@ std::optional<size_t> BestFree(const JudgedBox& box, const std::vector<JudgedBox
 }
 
 /// Judges the boxes of one class in one picture.
-void Judge(const JudgedPicture& picture, int label, ClassVerdicts& all) {
+void Judge(const JudgedPicture& picture, int label, ClassHits& all) {
   const std::vector<JudgedBox> truth = OfClass(picture.truth, label);
   std::vector<JudgedBox> found = OfClass(picture.found, label);
   std::stable_sort(found.begin(), found.end(),
                    [](const JudgedBox& a, const JudgedBox& b) { return a.confidence > b.confidence; });
-  const size_t first = all.verdicts.size();
+  const size_t first = all.hits.size();
   all.num_true += truth.size();
   for (size_t i = 0; i < found.size(); ++i)
-    all.verdicts.push_back({found[i].confidence, i < kMostBoxes, std::vector<bool>(kNumOverlaps)});
+    all.hits.push_back({found[i].confidence, i < kMostBoxes, std::vector<bool>(kNumOverlaps)});
   for (size_t k = 0; k < kNumOverlaps; ++k) {
     std::vector<bool> is_taken(truth.size(), false);
     for (size_t i = 0; i < found.size(); ++i) {
       const auto best = BestFree(found[i], truth, is_taken, LeastOverlap(k));
       if (best) is_taken[*best] = true;
-      all.verdicts[first + i].is_hit[k] = best.has_value();
+      all.hits[first + i].is_hit[k] = best.has_value();
     }
   }
 }
 
-std::vector<bool> HitsAt(const std::vector<Verdict>& verdicts, size_t overlap) {
+std::vector<bool> HitsAt(const std::vector<JudgedHit>& judged, size_t overlap) {
   std::vector<bool> hits;
-  for (const Verdict& verdict : verdicts) {
-    if (verdict.is_on_curve) hits.push_back(verdict.is_hit[overlap]);
+  for (const JudgedHit& one : judged) {
+    if (one.is_on_curve) hits.push_back(one.is_hit[overlap]);
   }
   return hits;
 }
 
-ClassScore ScoreOf(int label, ClassVerdicts& all, double confidence) {
-  std::stable_sort(all.verdicts.begin(), all.verdicts.end(),
-                   [](const Verdict& a, const Verdict& b) { return a.confidence > b.confidence; });
+ClassScore ScoreOf(int label, ClassHits& all, double confidence) {
+  std::stable_sort(all.hits.begin(), all.hits.end(),
+                   [](const JudgedHit& a, const JudgedHit& b) { return a.confidence > b.confidence; });
   ClassScore score{label, all.num_true, 0, 0, std::nullopt, 0};
   for (size_t k = 0; k < kNumOverlaps; ++k) {
-    const double ap = AveragePrecision(HitsAt(all.verdicts, k), all.num_true);
+    const double ap = AveragePrecision(HitsAt(all.hits, k), all.num_true);
     if (k == 0) score.ap50 = ap;
     score.ap += ap;
   }
   score.ap /= kNumOverlaps;
   double num_found = 0, num_hits = 0;
-  for (const Verdict& verdict : all.verdicts) {
-    if (verdict.confidence < confidence) break;
+  for (const JudgedHit& one : all.hits) {
+    if (one.confidence < confidence) break;
     ++num_found;
-    num_hits += verdict.is_hit[0] ? 1 : 0;
+    num_hits += one.is_hit[0] ? 1 : 0;
   }
   if (num_found > 0) score.precision = num_hits / num_found;
   score.recall = num_hits / static_cast<double>(all.num_true);
@@ -97,14 +99,6 @@ ClassScore ScoreOf(int label, ClassVerdicts& all, double confidence) {
 }
 
 }  // namespace
-
-double Overlap(const JudgedBox& a, const JudgedBox& b) {
-  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
-  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  if (width <= 0 || height <= 0) return 0;
-  const double shared = width * height;
-  return shared / ((a.right - a.left) * (a.bottom - a.top) + (b.right - b.left) * (b.bottom - b.top) - shared);
-}
 
 double AveragePrecision(const std::vector<bool>& hits, size_t num_true) {
   constexpr int kPoints = 101;
@@ -126,15 +120,15 @@ double AveragePrecision(const std::vector<bool>& hits, size_t num_true) {
 }
 
 DetectionScores ScoreDetections(const std::vector<JudgedPicture>& pictures, double confidence) {
-  std::map<int, ClassVerdicts> classes;
+  std::map<int, ClassHits> classes;
   for (const JudgedPicture& picture : pictures) {
     for (const JudgedBox& box : picture.truth) classes[box.label];
   }
   DetectionScores scores;
   double sum50 = 0, sum = 0;
-  for (auto& [label, verdicts] : classes) {
-    for (const JudgedPicture& picture : pictures) Judge(picture, label, verdicts);
-    scores.classes.push_back(ScoreOf(label, verdicts, confidence));
+  for (auto& [label, hits] : classes) {
+    for (const JudgedPicture& picture : pictures) Judge(picture, label, hits);
+    scores.classes.push_back(ScoreOf(label, hits, confidence));
     sum50 += scores.classes.back().ap50;
     sum += scores.classes.back().ap;
   }

@@ -44,7 +44,4 @@ DetectionScores ScoreDetections(const std::vector<JudgedPicture>& pictures, doub
 /// The area under a precision-recall curve by COCO's 101 points. `hits`: by falling confidence, whether a box is right.
 double AveragePrecision(const std::vector<bool>& hits, size_t num_true);
 
-/// The area that two boxes share, over the area that they cover together.
-double Overlap(const JudgedBox& a, const JudgedBox& b);
-
 }  // namespace yorb

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stats.h"
 #include "core/text.h"
-#include "evaluation/coverage.h"
+#include "evaluation/associate.h"
 
 namespace yorb {
 namespace {
@@ -14,18 +15,13 @@ namespace {
 constexpr double kLongestOffset = 4e9;  // seconds; sums with any stamp stay whole
 constexpr double kManyOdd = 0.05;       // share of odd RPE pairs worth a word
 constexpr double kLongStep = 10;        // seconds between frames: rather counts or another unit
+constexpr double kPictureNear = 0.02;   // seconds from a picture to the pose that covers it
 
 int64_t Nanoseconds(double seconds) { return std::llround(1e9 * seconds); }
 
 std::string RangeText(const std::string& path, const Trajectory& poses, int64_t offset_ns) {
   return path + " from " + ToString(Timestamp{poses.front().timestamp.ns + offset_ns}) + " to " +
          ToString(Timestamp{poses.back().timestamp.ns + offset_ns});
-}
-
-double MedianStep(const Trajectory& poses) {
-  std::vector<double> steps;
-  for (size_t i = 1; i < poses.size(); ++i) steps.push_back(SecondsBetween(poses[i - 1].timestamp, poses[i].timestamp));
-  return Quantile(std::move(steps), 0.5);
 }
 
 Error NothingInCommon(const ReadTrajectory& reference, const ReadTrajectory& estimate, const EvalOptions& options) {
@@ -35,7 +31,7 @@ Error NothingInCommon(const ReadTrajectory& reference, const ReadTrajectory& est
   const bool is_apart =
       estimate.poses.back().timestamp.ns + Nanoseconds(options.time_offset) < reference.poses.front().timestamp.ns ||
       reference.poses.back().timestamp.ns < estimate.poses.front().timestamp.ns + Nanoseconds(options.time_offset);
-  if (MedianStep(estimate.poses) > kLongStep || MedianStep(reference.poses) > kLongStep) {
+  if (MedianStep(StampsOf(estimate.poses)) > kLongStep || MedianStep(StampsOf(reference.poses)) > kLongStep) {
     text += "; are these seconds?";
   } else {
     text += is_apart ? "; another clock? --time-offset S is added to the estimate" : "; see --max-difference";
@@ -83,12 +79,20 @@ void WarnOfDegeneracy(Evaluation& evaluation) {
   }
 }
 
+/// The share of the pictures that have a pose near in time, each pose counted once. `offset` seconds are added to the
+/// poses' stamps.
+double CoverageOf(const std::vector<Timestamp>& pictures, const Trajectory& estimate, double offset) {
+  if (pictures.empty()) return 0;
+  const size_t covered = AssociateStamps(pictures, StampsOf(estimate), kPictureNear, offset).size();
+  return static_cast<double>(covered) / static_cast<double>(pictures.size());
+}
+
 /// Fills in the coverage, where the sequence is known.
 std::optional<double> Coverage(const ReadTrajectory& estimate, const EvalOptions& options,
                                std::vector<std::string>& warnings) {
   if (options.pictures) {
     // The pictures' clock is mostly the estimate's own; where it is the reference's, the offset leads to it.
-    return std::max(CoverageOf(*options.pictures, estimate.poses),
+    return std::max(CoverageOf(*options.pictures, estimate.poses, 0),
                     CoverageOf(*options.pictures, estimate.poses, options.time_offset));
   }
   if (!options.num_frames) return std::nullopt;

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "evaluation/coverage.h"
 #include "evaluation/test_trajectories.h"
 
 namespace yorb {
@@ -171,16 +170,21 @@ TEST(Evaluate, OptionsOutOfRangeAreRefused) {
 
 TEST(Coverage, CountsPicturesWithAPoseAndNeverMoreThanAll) {
   const Trajectory frames = SmoothWalk(240, 33);
-  const std::vector<Timestamp> pictures = StampsOf(frames);
   Trajectory lost(frames.begin(), frames.begin() + 120), twice;
   for (const StampedPose& pose : frames) {
     twice.push_back(pose);
     twice.push_back({Timestamp{pose.timestamp.ns + 11000000}, pose.world_from_cam});
   }
-  EXPECT_EQ(CoverageOf(pictures, frames), 1.0);
-  EXPECT_EQ(CoverageOf(pictures, lost), 0.5);
-  EXPECT_EQ(CoverageOf(pictures, twice), 1.0);
-  EXPECT_EQ(CoverageOf(pictures, {}), 0.0);
+  EvalOptions seen;
+  seen.pictures = StampsOf(frames);
+  const auto coverage = [&](const Trajectory& estimate) {
+    return Evaluate(Named("truth", frames), Named("found", estimate), seen)->coverage;
+  };
+  EXPECT_EQ(coverage(frames), 1.0);
+  EXPECT_EQ(coverage(lost), 0.5);
+  EXPECT_EQ(coverage(twice), 1.0);
+  seen.pictures->clear();
+  EXPECT_EQ(coverage(frames), 0.0);
   EvalOptions options;
   options.num_frames = 480;
   EXPECT_EQ(Evaluate(Named("truth", frames), Named("lost", lost), options)->coverage, 0.25);
@@ -188,24 +192,6 @@ TEST(Coverage, CountsPicturesWithAPoseAndNeverMoreThanAll) {
   const auto too_many = Evaluate(Named("truth", frames), Named("lost", lost), options);
   EXPECT_EQ(too_many->coverage, 1.0);
   EXPECT_EQ(too_many->warnings.size(), 1u);
-}
-
-TEST(Coverage, AssociationsWinAndTellColourFromDepth) {
-  const std::string folder = ::testing::TempDir() + "yorb_coverage_test";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  EXPECT_FALSE(ReadColourStamps(folder)) << "no list";
-  std::ofstream(folder + "/rgb.txt") << "# colour\n1.0 rgb/a.png\n2.0 rgb/b.png\n3.0 rgb/c.png\n";
-  EXPECT_EQ(ReadColourStamps(folder).value().size(), 3u);
-  std::ofstream(folder + "/associations.txt") << "1.01 depth/a.png 1.0 rgb/a.png\n2.01 depth/b.png 2.0 rgb/b.png 7 8\n";
-  const auto stamps = ReadColourStamps(folder);
-  ASSERT_TRUE(stamps) << stamps.error().message;
-  ASSERT_EQ(stamps->size(), 2u);
-  EXPECT_EQ((*stamps)[0].ns, 1000000000);
-  std::ofstream(folder + "/associations.txt") << "1.0 rgb/a.png 1.01 depth/a.png\n1.0 rgb/b.png 2.01 depth/b.png\n";
-  const auto repeated = ReadColourStamps(folder);
-  ASSERT_FALSE(repeated);
-  EXPECT_THAT(repeated.error().message, HasSubstr("associations.txt, line 2"));
 }
 
 }  // namespace

@@ -168,19 +168,32 @@ Result<DetectorReport> MeasureDetectors(const DetectorBenchOptions& options) {
   return report;
 }
 
-Result<std::vector<FileToWrite>> DetectorFigures(const std::vector<std::string>& pictures,
-                                                 const DetectorBenchOptions& options, const std::string& folder) {
+Unreadable DetectorReport::unreadable() const {
+  Unreadable all;
+  if (networks.empty()) return all;
+  const DetectorBenchRow& any = networks.front();  // all of them see the same pictures
+  if (any.judgement) all.Add(any.judgement->unreadable);
+  for (const PeopleScore& score : any.people) all.Add(score.unreadable);
+  return all;
+}
+
+Result<DetectorFigureFiles> DetectorFigures(const std::vector<std::string>& pictures,
+                                            const DetectorBenchOptions& options, const std::string& folder) {
+  if (pictures.empty()) return DetectorFigureFiles();
   std::vector<std::unique_ptr<YoloDetector>> detectors;
   for (const std::string& path : options.models) {
     auto detector = YoloDetector::Open(OptionsFor(path, options));
     if (!detector) return detector.error();
     detectors.push_back(*std::move(detector));
   }
-  std::vector<FileToWrite> files;
+  DetectorFigureFiles made;
   std::set<std::string> figures;
   for (const std::string& path : pictures) {
     const auto pixels = ReadUprightPicture(path);
-    if (!pixels) return pixels.error();
+    if (!pixels) {
+      made.unreadable.Add(pixels.error());
+      continue;
+    }
     std::vector<cv::Mat> seen;
     for (size_t i = 0; i < detectors.size(); ++i) {
       const auto detections = detectors[i]->Detect(ImageSetOf(*pixels));
@@ -194,9 +207,9 @@ Result<std::vector<FileToWrite>> DetectorFigures(const std::vector<std::string>&
     auto bytes = EncodePng(together);
     if (!bytes) return bytes.error();
     const fs::path figure = fs::path(folder) / ("figure9_" + fs::path(path).stem().string() + ".png");
-    files.push_back({UntakenPath(figure.string(), figures), *std::move(bytes)});
+    made.files.push_back({UntakenPath(figure.string(), figures), *std::move(bytes)});
   }
-  return files;
+  return made;
 }
 
 }  // namespace yorb

@@ -45,6 +45,9 @@ struct DetectorBenchRow {
 
 struct DetectorReport {
   std::vector<DetectorBenchRow> networks;
+
+  /// The pictures that no network was judged on, since they could not be read.
+  Unreadable unreadable() const;
 };
 
 /// Takes every network apart, lets all of them run in turns on one thread over the same picture, and judges them on the
@@ -56,7 +59,11 @@ std::string DetectorText(const DetectorReport& report);
 std::string DetectorJson(const DetectorReport& report);
 
 /// Figure 9: each picture as every network sees it, side by side, as files below a folder.
-Result<std::vector<FileToWrite>> DetectorFigures(const std::vector<std::string>& pictures,
-                                                 const DetectorBenchOptions& options, const std::string& folder);
+struct DetectorFigureFiles {
+  std::vector<FileToWrite> files;
+  Unreadable unreadable;  ///< pictures without a figure
+};
+Result<DetectorFigureFiles> DetectorFigures(const std::vector<std::string>& pictures,
+                                            const DetectorBenchOptions& options, const std::string& folder);
 
 }  // namespace yorb

@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "core/files.h"
+#include "core/iou.h"
 #include "core/text.h"
 #include "detection/class_names.h"
 #include "runs/picture_source.h"
@@ -85,10 +87,13 @@ Result<PeopleScore> MeasurePeople(const std::string& sequence, Detector& detecto
   const auto source = OpenPictureSource(sequence);
   if (!source) return source.error();
   PeopleScore sum;
-  sum.sequence = std::filesystem::path(sequence).lexically_normal().filename().string();
+  sum.sequence = OwnName(sequence);
   while ((*source)->HasNext() && !(should_stop && should_stop())) {
     const auto picture = (*source)->Next();
-    if (!picture) return picture.error();
+    if (!picture) {
+      sum.unreadable.Add(picture.error());
+      continue;
+    }
     if (!picture->time) return BadInput(sequence + " is no sequence with time stamps, which people.txt refers to");
     const auto detections = detector.Detect(ImageSetOf(picture->pixels));
     if (!detections) return detections.error();

@@ -9,6 +9,7 @@
 #include "core/result.h"
 #include "core/time.h"
 #include "detection/detector.h"
+#include "runs/unreadable.h"
 
 namespace yorb {
 
@@ -31,6 +32,7 @@ struct PeopleScore {
   size_t num_pictures = 0;
   size_t num_true = 0, num_found = 0;  ///< of those who must be found, at an overlap of .5
   size_t num_false = 0;                ///< boxes of persons that lie on none of all people in people.txt
+  Unreadable unreadable;               ///< pictures that are left out
 
   double recall() const { return num_true == 0 ? 0 : static_cast<double>(num_found) / static_cast<double>(num_true); }
 };

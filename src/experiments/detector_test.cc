@@ -81,9 +81,37 @@ TEST(BenchDetector, RunsJudgesAndDrawsAllNetworks) {
   EXPECT_THAT(DetectorText(*report), testing::AllOf(testing::HasSubstr("Layers of a"), testing::HasSubstr("mAP50-95")));
   const auto figures = DetectorFigures({folder.Path("set/images/1.png")}, options, "out");
   ASSERT_TRUE(figures) << figures.error().message;
-  ASSERT_EQ(figures->size(), 1u);
-  const std::string& png = figures->front().content;
+  ASSERT_EQ(figures->files.size(), 1u);
+  const std::string& png = figures->files.front().content;
   EXPECT_EQ(DecodePng(png).pixels.size(), cv::Size(128, 64));
+}
+
+TEST(BenchDetector, PicturesThatCannotBeReadAreLeftOutAndTold) {
+  const TestFolder folder;
+  folder.Write("net.onnx", NamedNetwork().Bytes());
+  folder.WritePicture("set/images/1.png", TestColour(1));
+  folder.Write("set/images/2.png", "torn");
+  folder.Write("set/labels/1.txt", "0 0.5 0.5 0.25 0.25\n");
+  folder.Write("set/classes.txt", "person\ncup\n");
+  WriteRecording(folder, "room", 3);
+  folder.Write("room/rgb/1.png", "");
+  folder.Write("room/people.txt", Stamp(0) + " 0 0 32 48 1500\n");
+  DetectorBenchOptions options;
+  options.models = {folder.Path("net.onnx"), folder.Path("net.onnx")};
+  options.labelled = folder.Path("set");
+  options.sequences = {folder.Path("room")};
+  options.rounds = 1;
+  const auto report = MeasureDetectors(options);
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->networks[1].judgement->num_pictures, 1u);
+  EXPECT_EQ(report->networks[1].people[0].num_pictures, 2u);
+  EXPECT_EQ(report->unreadable().count(), 2u) << "each once, however many networks there are";
+  const std::string told = report->unreadable().Told().error().message;
+  EXPECT_THAT(told, testing::AllOf(testing::HasSubstr("2.png"), testing::HasSubstr("rgb/1.png")));
+  const auto figures = DetectorFigures({folder.Path("set/images/2.png")}, options, "out");
+  ASSERT_TRUE(figures) << figures.error().message;
+  EXPECT_TRUE(figures->files.empty());
+  EXPECT_FALSE(figures->unreadable.Told().ok());
 }
 
 TEST(BenchDetector, PeopleAreFoundOnceAndBoxesOnNobodyAreFalse) {

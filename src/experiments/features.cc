@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/features.h"
 
-#include <opencv2/core/utility.hpp>
 #include <utility>
 
 #include "experiments/features_spread.h"
+#include "experiments/one_thread.h"
 
 namespace yorb {
 namespace {
@@ -13,18 +13,6 @@ namespace {
 constexpr int kRounds = 3;             // each picture is timed so often, the fastest counts
 constexpr size_t kPaperPictures = 10;  // Table 4 of the paper: ten consecutive pairs
 constexpr size_t kFarGap = 10;         // frames between the pictures of a wide pair
-
-/// One thread for OpenCV as long as this lives.
-class OneThread {
- public:
-  OneThread() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
-  ~OneThread() { cv::setNumThreads(before_); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-
- private:
-  int before_;
-};
 
 std::string PictureNameOf(const PictureSet& set, size_t i) {
   return set.dataset ? set.dataset->PictureName(i) : set.paths[i];

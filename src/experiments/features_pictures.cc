@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/files.h"
 #include "core/log.h"
 #include "datasets/open_dataset.h"
-#include "datasets/picture_list.h"
+#include "datasets/tum.h"
 #include "evaluation/trajectory_io.h"
 #include "pictures/picture_file.h"
 #include "pictures/picture_folder.h"
@@ -19,13 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLongestHole_s = 0.1;
-
-/// The folder's own name, whatever the way it was written.
-std::string NameOf(const std::string& place) {
-  const fs::path path = fs::path(place).lexically_normal();
-  const fs::path name = path.has_filename() ? path.filename() : path.parent_path().filename();
-  return name.empty() ? place : name.string();
-}
 
 Result<PictureSet> OpenLoosePictures(PictureSet set, const std::string& place) {
   std::error_code error;
@@ -44,12 +38,10 @@ Result<PictureSet> OpenLoosePictures(PictureSet set, const std::string& place) {
 
 Result<PictureSet> OpenPictureSet(const std::string& place, const std::string& camera) {
   PictureSet set;
-  set.name = NameOf(place);
+  set.name = OwnName(place);
   std::error_code error;
   if (!fs::exists(place, error)) return BadInput(place + " does not exist");
-  const bool is_sequence =
-      fs::exists(fs::path(place) / "rgb.txt", error) || fs::exists(fs::path(place) / "associations.txt", error);
-  if (!is_sequence) return OpenLoosePictures(std::move(set), place);
+  if (!HasTumLayout(place)) return OpenLoosePictures(std::move(set), place);
   auto dataset = OpenDataset(place, camera);
   if (!dataset) return dataset.error();
   set.dataset = *std::move(dataset);

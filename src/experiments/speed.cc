@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <opencv2/core/utility.hpp>
 #include <opencv2/features2d.hpp>
+#include <utility>
 
 #include "core/stopwatch.h"
 #include "core/text.h"
+#include "datasets/masked_dataset.h"
+#include "experiments/one_thread.h"
 #include "experiments/text_table.h"
 #include "runs/feed.h"
+#include "runs/make_detector.h"
 #include "runs/results.h"
+#include "runs/run_map.h"
 #include "runs/stage_json.h"
 #include "system/slam.h"
 
@@ -21,18 +25,6 @@ namespace {
 
 constexpr size_t kOrbPictures = 50;  // before the run, and as many after it
 constexpr int kOrbFeatures = 1000;
-
-/// One thread for OpenCV as long as this lives.
-class OneThread {
- public:
-  OneThread() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
-  ~OneThread() { cv::setNumThreads(before_); }
-  OneThread(const OneThread&) = delete;
-  OneThread& operator=(const OneThread&) = delete;
-
- private:
-  int before_;
-};
 
 /// Milliseconds of cv::ORB on pictures spread over the recording.
 std::vector<double> TimeOrb(const Dataset& dataset, size_t num_frames, const std::function<bool()>& should_stop) {
@@ -61,19 +53,13 @@ std::vector<std::string> RowOf(const ReportStage& stage) {
           std::to_string(stage.count)};
 }
 
-}  // namespace
-
-double SpeedReport::Ratio() const {
-  const ReportStage* total = FindStage(stages, "frame_total");
-  if (total == nullptr || total->count == 0 || cv_orb.count == 0) return std::numeric_limits<double>::quiet_NaN();
-  return total->median_ms / cv_orb.median_ms;
-}
-
-Result<SpeedReport> MeasureSpeed(const Dataset& dataset, const Config& config,
-                                 const std::function<bool()>& should_stop) {
+Result<SpeedReport> MeasureUnmasked(const Dataset& dataset, const Config& config,
+                                    const std::function<bool()>& should_stop) {
   const OneThread one_thread;
   const size_t num_frames = FramesToFeed(dataset, config);
-  auto slam = Slam::Create(config, dataset.rig());
+  auto parts = MakeParts(config, dataset);
+  if (!parts) return parts.error();
+  auto slam = Slam::Create(config, dataset.rig(), std::move(parts->slam));
   if (!slam) return slam.error();
   std::vector<double> orb_ms = TimeOrb(dataset, num_frames, should_stop);
   FeedHooks hooks;
@@ -89,9 +75,27 @@ Result<SpeedReport> MeasureSpeed(const Dataset& dataset, const Config& config,
   report.frames = fed.fates.size();
   report.tracked = ran.trajectory().size();
   report.mode = config.mode;
+  report.dynamics = config.dynamics;
   report.stages = StageTimes(ran.stage_ms);
   report.cv_orb = TimesOf("cv::ORB(1000)", orb_ms);
   return report;
+}
+
+}  // namespace
+
+double SpeedReport::Ratio() const {
+  const ReportStage* total = FindStage(stages, "frame_total");
+  if (total == nullptr || total->count == 0 || cv_orb.count == 0) return std::numeric_limits<double>::quiet_NaN();
+  return total->median_ms / cv_orb.median_ms;
+}
+
+Result<SpeedReport> MeasureSpeed(const Dataset& dataset, const Config& config,
+                                 const std::function<bool()>& should_stop) {
+  if (const Status valid = CheckMapOptions(config, ""); !valid) return valid.error();
+  if (config.masks.empty()) return MeasureUnmasked(dataset, config, should_stop);
+  const auto masked = MaskedDataset::Open(dataset, config.masks);
+  if (!masked) return masked.error();
+  return MeasureUnmasked(**masked, config, should_stop);
 }
 
 std::string SpeedText(const SpeedReport& report) {
@@ -101,7 +105,8 @@ std::string SpeedText(const SpeedReport& report) {
   }
   rows.push_back(RowOf(report.cv_orb));
   std::string text = std::to_string(report.tracked) + " of " + std::to_string(report.frames) +
-                     " frames tracked, mode " + report.mode + "\n" + TextTable(rows, 1);
+                     " frames tracked, mode " + report.mode + ", dynamics " + report.dynamics + "\n" +
+                     TextTable(rows, 1);
   const double ratio = report.Ratio();
   if (ratio == ratio)
     text += "a whole frame takes " + FormatFixed(ratio, 2) + " times as long as cv::ORB(1000) alone\n";
@@ -112,6 +117,7 @@ std::string SpeedJson(const SpeedReport& report) {
   const nlohmann::ordered_json json = {{"frames", report.frames},
                                        {"tracked", report.tracked},
                                        {"mode", report.mode},
+                                       {"dynamics", report.dynamics},
                                        {"stages", StagesJson(report.stages)},
                                        {"cv_orb", StageJson(report.cv_orb)},
                                        {"ratio", NumberOrNull(report.Ratio())}};

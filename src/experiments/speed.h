@@ -19,7 +19,7 @@ namespace yorb {
 /// How long the stages of a run take, beside OpenCV's ORB on pictures of the same recording.
 struct SpeedReport {
   size_t frames = 0, tracked = 0;
-  std::string mode;
+  std::string mode, dynamics;
   std::vector<ReportStage> stages;  ///< as in metrics.json
   ReportStage cv_orb;               ///< cv::ORB::create(1000)->detectAndCompute, one thread
 
@@ -27,15 +27,15 @@ struct SpeedReport {
   double Ratio() const;
 };
 
-/// Runs the recording once, with cv::ORB on some of its pictures before and after, so that both meet the machine in the
-/// same state. Sets OpenCV to one thread while it works.
+/// Runs the recording once, as `yorb run` would (detector, masks, map and all), with cv::ORB on some of its pictures
+/// before and after, so that both meet the machine in the same state. Sets OpenCV to one thread while it works.
 Result<SpeedReport> MeasureSpeed(const Dataset& dataset, const Config& config,
                                  const std::function<bool()>& should_stop);
 
 /// A table for people.
 std::string SpeedText(const SpeedReport& report);
 
-/// {"frames", "tracked", "mode", "stages", "cv_orb", "ratio"}.
+/// {"frames", "tracked", "mode", "dynamics", "stages", "cv_orb", "ratio"}.
 std::string SpeedJson(const SpeedReport& report);
 
 }  // namespace yorb

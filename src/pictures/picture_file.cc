@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string_view>
 
+#include "core/text.h"
 #include "pictures/endings.h"
 #include "pictures/jpeg.h"
 #include "pictures/other_formats.h"
@@ -69,7 +70,7 @@ std::string KindOf(const cv::Mat& picture) {
 
 }  // namespace
 
-std::string SizeText(const cv::Size& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+std::string SizeText(const cv::Size& size) { return SizeText(size.width, size.height); }
 
 std::string FaultOfPictureBytes(const std::string& bytes) {
   const std::string_view view = bytes;

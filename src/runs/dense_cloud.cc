@@ -16,6 +16,7 @@ namespace {
 constexpr int kStepPx = 2;           // pixels between two that are projected: at arm's length a few millimetres
 constexpr float kEdgeShare = 0.02f;  // two neighbours whose depths differ by more are not on one surface
 constexpr int kMarginOctave = 5;     // a corner of that level keeps some ten pixels' distance from bodies
+constexpr double kOctaveScale = 1.2;
 constexpr int64_t kSameMomentNs = 1000000;
 constexpr size_t kFewestComparable = 20;  // depths without which nothing is said of a picture
 constexpr float kSameDepthShare = 0.1f;   // pictures that were written anew differ a little
@@ -134,7 +135,8 @@ class Watcher {
   Watcher(const Dataset& dataset, const RunParts& parts)
       : dataset_(dataset),
         detector_(parts.slam.detector.get()),
-        remover_(detector_ ? Dynamics::kFull : Dynamics::kOff, parts.slam.motions, 1.2) {}
+        remover_(detector_ ? Dynamics::kFull : Dynamics::kOff, parts.slam.motions, kOctaveScale,
+                 parts.sure_confidence) {}
 
   struct Look {
     ImageSet images;

@@ -15,11 +15,13 @@ namespace {
 /// Somebody stands in the left half of each picture.
 class SomebodyLeft : public Detector {
  public:
+  explicit SomebodyLeft(float confidence = 0.9f) : confidence_(confidence) {}
+
   Result<Detections> Detect(const ImageSet& images) override {
     Detections seen;
     Box box;
     box.name = "person";
-    box.confidence = 0.9f;
+    box.confidence = confidence_;
     box.left = 0;
     box.top = 0;
     box.right = static_cast<float>(images.grey.cols) / 2;
@@ -27,6 +29,9 @@ class SomebodyLeft : public Detector {
     seen.boxes.push_back(box);
     return seen;
   }
+
+ private:
+  float confidence_;
 };
 
 /// A map whose keyframes took every fifth picture of the wall, and one more of another time.
@@ -71,6 +76,20 @@ TEST(DenseCloud, LeavesPeopleAndMaskedPixelsOut) {
   EXPECT_EQ(made->num_with_people, 1u);
   ASSERT_GT(made->clouds[0].points.size(), 1000u);
   for (const Eigen::Vector3d& p : made->clouds[0].points) EXPECT_GT(p.x(), 0) << "on the person";
+}
+
+TEST(DenseCloud, KeepsWhatOnlyAFaintBoxNames) {
+  WallDataset wall(1);
+  wall.left_mm = 1500;
+  RunParts parts;
+  parts.slam.detector = std::make_unique<SomebodyLeft>(0.2f);
+  parts.sure_confidence = 0.3;
+  const auto made = MakeDenseClouds(MapOf(wall), {KeyframeId(0)}, wall, parts, {});
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_EQ(made->num_with_people, 0u);
+  const auto is_left = [](const Eigen::Vector3d& p) { return p.x() < -0.1; };
+  const std::vector<Eigen::Vector3d>& points = made->clouds[0].points;
+  EXPECT_TRUE(std::any_of(points.begin(), points.end(), is_left));
 }
 
 TEST(DenseCloud, IsRefusedWithARecordingOfAnotherTime) {

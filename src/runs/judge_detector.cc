@@ -81,10 +81,14 @@ Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detect
   std::vector<double> times_ms;
   std::set<std::string> unknown;
   bool has_known = false;
+  Unreadable unreadable;
   for (const LabelledPicture& labelled : set.pictures) {
     if (options.should_stop && options.should_stop()) break;
     const auto pixels = ReadUprightPicture(labelled.picture);
-    if (!pixels) return pixels.error();
+    if (!pixels) {
+      unreadable.Add(pixels.error());
+      continue;
+    }
     const ImageSet images = ImageSetOf(*pixels);
     const Stopwatch watch;
     const auto detections = detector.Detect(images);
@@ -105,8 +109,12 @@ Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detect
     pictures.push_back(std::move(picture));
   }
   if (!has_known && !unknown.empty()) WarnOfNames(set, unknown);
-  return DetectorJudgement{ScoreDetections(pictures, options.confidence), set.classes, Summarize(times_ms).median,
-                           options.confidence, pictures.size()};
+  return DetectorJudgement{ScoreDetections(pictures, options.confidence),
+                           set.classes,
+                           Summarize(times_ms).median,
+                           options.confidence,
+                           pictures.size(),
+                           std::move(unreadable)};
 }
 
 std::string JudgementText(const DetectorJudgement& judgement) {

@@ -11,6 +11,7 @@
 #include "datasets/labelled_set.h"
 #include "detection/detector.h"
 #include "evaluation/detection_map.h"
+#include "runs/unreadable.h"
 
 namespace yorb {
 
@@ -20,7 +21,8 @@ struct DetectorJudgement {
   std::vector<std::string> classes;  ///< of the set
   double latency_ms = 0;             ///< median over pictures, from pixels to boxes
   double confidence = 0;             ///< that precision and recall refer to
-  size_t num_pictures = 0;
+  size_t num_pictures = 0;           ///< that could be read
+  Unreadable unreadable;
 };
 
 /// How an evaluation goes about it.
@@ -30,8 +32,8 @@ struct JudgeOptions {
   std::function<bool()> should_stop;
 };
 
-/// Lets a detector see every picture of a set and compares its boxes with the truth, classes by name. Bad input for a
-/// picture that cannot be read.
+/// Lets a detector see every picture of a set and compares its boxes with the truth, classes by name. Pictures that
+/// cannot be read are left out, and told of.
 Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detector, const JudgeOptions& options);
 
 /// A table for people, and {"classes": [...], "map50", "map50_95", "latency_ms", "confidence"}.

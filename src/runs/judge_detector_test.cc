@@ -49,6 +49,34 @@ TEST(JudgeDetector, ClassesAreMatchedByNameHoweverTheyAreNumberedAndSpelt) {
   EXPECT_EQ(only->scores.classes.size(), 1u);
 }
 
+TEST(JudgeDetector, JudgesTheOthersWherePicturesCannotBeRead) {
+  const TestFolder folder;
+  folder.Write("images/a.png", "");
+  folder.WritePicture("images/b.png", TestColour(0));  // 64x48
+  folder.Write("labels/a.txt", "0 0.5 0.5 0.5 0.5\n");
+  folder.Write("labels/b.txt", "0 0.5 0.5 0.5 0.5\n");
+  folder.Write("classes.txt", "cup\n");
+  const auto set = ReadLabelledSet(folder.Path(), "");
+  ASSERT_TRUE(set) << set.error().message;
+  SureDetector detector({{"cup", .9, 16, 12, 48, 36}});
+  const auto judgement = JudgeDetector(*set, detector, {});
+  ASSERT_TRUE(judgement) << judgement.error().message;
+  EXPECT_EQ(judgement->num_pictures, 1u);
+  EXPECT_NEAR(judgement->scores.map50.value(), 1, 1e-9);
+  EXPECT_THAT(judgement->unreadable.Told().error().message, testing::HasSubstr("a.png"));
+}
+
+TEST(Unreadable, NamesTheFirstThreeAndCountsTheOthers) {
+  Unreadable some, others;
+  EXPECT_TRUE(some.Told().ok());
+  some.Add(BadInput("a is torn"));
+  EXPECT_EQ(some.Told().error().message, "a is torn");
+  for (const char* name : {"b", "c", "d"}) others.Add(BadInput(name + std::string(" is torn")));
+  some.Add(others);
+  EXPECT_EQ(some.Told().error().message,
+            "4 pictures or sources cannot be read: a is torn; b is torn; c is torn; and 1 more");
+}
+
 TEST(JudgeDetector, TellsOfASetAndANetworkWithoutANameInCommon) {
   const TestFolder folder;
   folder.WritePicture("images/a.png", TestColour(0));
@@ -98,6 +126,22 @@ TEST(PictureSource, GivesPicturesFoldersAndSequences) {
   EXPECT_FALSE((*pictures)->HasNext());
   EXPECT_FALSE(OpenPictureSource(folder.Path("empty")));
   EXPECT_FALSE((*OpenPictureSource(folder.Path("gone.png")))->Next());
+}
+
+TEST(PictureSource, ExifTurnsPhotosAndNotTheFramesOfASequence) {
+  const TestFolder folder;
+  folder.WritePicture("photos/a.jpg", TestColour(0));  // 64x48
+  const std::string lying(                             // an EXIF block of one entry, orientation 6
+      "\xff\xe1\0\x22"
+      "Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0",
+      36);
+  const std::string jpeg = folder.Read("photos/a.jpg").insert(2, lying);
+  folder.Write("photos/a.jpg", jpeg);
+  folder.Write("sequence/a.jpg", jpeg);
+  folder.Write("sequence/rgb.txt", "1.5 a.jpg\n");
+  const auto size_in = [&](const char* name) { return (*OpenPictureSource(folder.Path(name)))->Next()->pixels.size(); };
+  EXPECT_EQ(size_in("photos"), cv::Size(48, 64));
+  EXPECT_EQ(size_in("sequence"), cv::Size(64, 48)) << "as a run reads it";
 }
 
 TEST(DrawBoxes, ChangesThePictureAlongTheBoxAndNotTheOriginal) {

@@ -16,6 +16,7 @@
 #include "detection/motion_category.h"
 #include "detection/yolo_detector.h"
 #include "runs/find_vocabulary.h"
+#include "runs/run_map.h"
 
 namespace yorb {
 namespace {
@@ -50,6 +51,7 @@ Status TakeFile(const Config& config, const Dataset& dataset, RunParts& parts) {
 
 Status TakeNetwork(const Config& config, RunParts& parts) {
   DetectionOptions options = config.detection;
+  parts.sure_confidence = options.confidence;
   if (config.dynamics == "full") options.confidence = std::min(options.confidence, options.faint_confidence);
   auto detector = YoloDetector::Open(options);
   if (!detector)
@@ -76,20 +78,14 @@ Status CheckModelIsUsed(const Config& config) {
   return Status::Ok();
 }
 
-}  // namespace
-
-Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
-  RunParts parts;
-  auto vocabulary = FindVocabulary(config.places);
-  if (!vocabulary) return vocabulary.error();
-  parts.slam.vocabulary = *std::move(vocabulary);
-  if (const Status fine = CheckModelIsUsed(config); !fine) return fine.error();
+Status TakeDetector(const Config& config, const Dataset& dataset, RunParts& parts) {
+  if (const Status fine = CheckModelIsUsed(config); !fine) return fine;
   if (config.dynamics == "off") {
-    if (config.detections.empty()) return parts;
+    if (config.detections.empty()) return Status::Ok();
     if (const auto file = ReadBoxFile(config.detections); !file) return file.error();
     LogWarning("boxes-unused",
                config.detections + " is not used: nothing is removed with --dynamics off; give full or paper");
-    return parts;
+    return Status::Ok();
   }
   if (config.dynamics == "exact" && config.detections.empty()) {
     return BadInput("--dynamics exact needs boxes: name their file with --detections");
@@ -97,8 +93,20 @@ Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
   auto motions = InstalledMotionTable();
   if (!motions) return motions.error();
   parts.slam.motions = *std::move(motions);
-  const Status taken = config.detections.empty() ? TakeNetwork(config, parts) : TakeFile(config, dataset, parts);
-  if (!taken) return taken.error();
+  return config.detections.empty() ? TakeNetwork(config, parts) : TakeFile(config, dataset, parts);
+}
+
+}  // namespace
+
+Result<RunParts> MakeParts(const Config& config, const Dataset& dataset) {
+  RunParts parts;
+  auto vocabulary = FindVocabulary(config.places);
+  if (!vocabulary) return vocabulary.error();
+  parts.slam.vocabulary = *std::move(vocabulary);
+  if (const Status taken = TakeDetector(config, dataset, parts); !taken) return taken.error();
+  auto map = LoadRunMap(config, dataset.rig());
+  if (!map) return map.error();
+  parts.slam.map = *std::move(map);
   return parts;
 }
 

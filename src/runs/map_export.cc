@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/trajectory.h"
+#include "runs/run_folder.h"
 
 namespace yorb {
 namespace {
@@ -108,29 +109,6 @@ std::string SubmapText(const Map& map, KeyframeId root) {
   return std::to_string(keyframes.size()) + (keyframes.size() == 1 ? " keyframe, " : " keyframes, ") +
          std::to_string(LandmarksOf(map, root).points.size()) + " landmarks, from " +
          ToString(keyframes.front().timestamp) + " to " + ToString(keyframes.back().timestamp) + " s";
-}
-
-std::string NumberedPath(const std::string& path, size_t number) {
-  if (number == 1) return path;
-  std::filesystem::path numbered(path);
-  const std::string name = numbered.stem().string() + "_" + std::to_string(number) + numbered.extension().string();
-  return numbered.replace_filename(name).string();
-}
-
-std::vector<std::string> OlderFiles(const std::string& path, const std::vector<FileToWrite>& written,
-                                    size_t num_submaps) {
-  std::vector<std::string> older;
-  std::error_code ignored;
-  for (size_t number = 2;; ++number) {
-    const std::string further = NumberedPath(path, number);
-    const auto is_it = [&](const FileToWrite& file) { return file.path == further; };
-    if (std::any_of(written.begin(), written.end(), is_it)) continue;
-    if (std::filesystem::is_regular_file(further, ignored)) {
-      older.push_back(further);
-    } else if (number > num_submaps) {
-      return older;
-    }
-  }
 }
 
 std::string CloudBytes(const PointCloud& cloud, MapExport kind) {

@@ -33,14 +33,6 @@ std::vector<FileToWrite> ExportedFiles(const SavedMap& saved, const std::string&
 /// What a sub-map consists of, by which one can tell which it is: keyframes, landmarks, the time they cover.
 std::string SubmapText(const Map& map, KeyframeId root);
 
-/// The file of the sub-map with that number, from 1.
-std::string NumberedPath(const std::string& path, size_t number);
-
-/// The files beside `path` that an older result with other sub-maps may have left: numbered ones that are not among
-/// those `written`, up to the first number beyond `num_submaps` that is not there.
-std::vector<std::string> OlderFiles(const std::string& path, const std::vector<FileToWrite>& written,
-                                    size_t num_submaps);
-
 /// A cloud in the bytes of its kind, which must be PLY or PCD.
 std::string CloudBytes(const PointCloud& cloud, MapExport kind);
 

@@ -180,15 +180,6 @@ TEST_F(ExportedMaps, TellOfAnOlderExportBesideThem) {
   EXPECT_TRUE(Has("x_2.txt")) << "a folder is no export";
 }
 
-TEST_F(ExportedMaps, OfWhichASubmapHasNothingTellOfItsOlderFile) {
-  const std::vector<FileToWrite> written = {{In("x.ply"), ""}, {In("x_3.ply"), ""}};
-  for (const char* name : {"x.ply", "x_2.ply", "x_3.ply", "x_4.ply"}) {
-    ASSERT_TRUE(WriteFileWhole(In(name), "old").ok());
-  }
-  EXPECT_THAT(OlderFiles(In("x.ply"), written, 3), testing::ElementsAre(In("x_2.ply"), In("x_4.ply")));
-  EXPECT_TRUE(Has("x.ply") && Has("x_3.ply"));
-}
-
 TEST_F(ExportedMaps, AreRefusedWithOptionsThatOnlyDenseCloudsHave) {
   DenseRequest request;
   request.named_option = "--masks";

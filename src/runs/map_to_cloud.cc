@@ -11,6 +11,7 @@
 #include "datasets/open_dataset.h"
 #include "runs/dense_cloud.h"
 #include "runs/map_export.h"
+#include "runs/run_folder.h"
 #include "system/config_io.h"
 
 namespace yorb {

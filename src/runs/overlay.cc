@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runs/overlay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,8 @@
 
 namespace yorb {
 namespace {
+
+namespace fs = std::filesystem;
 
 const cv::Scalar kGreen(80, 200, 60), kRed(60, 60, 230), kYellow(40, 210, 240);  // BGR
 
@@ -33,13 +37,30 @@ const cv::Scalar& ColourOf(Verdict verdict) {
   return verdict == Verdict::kGivenBack ? kYellow : kGreen;
 }
 
+fs::path PointsIn(const fs::path& folder) { return folder / "points.csv"; }
+
+fs::path PictureIn(const fs::path& folder, Timestamp time) { return folder / (ToString(time) + ".png"); }
+
 /// Whether a folder holds pictures that no overlay has written: there are no points of them.
-bool HoldsOtherPictures(const std::filesystem::path& folder) {
+bool HoldsOtherPictures(const fs::path& folder) {
   std::error_code ignored;
-  if (std::filesystem::exists(folder / "points.csv", ignored)) return false;
+  if (fs::exists(PointsIn(folder), ignored)) return false;
   const auto is_picture = [](const auto& entry) { return entry.path().extension() == ".png"; };
-  const std::filesystem::directory_iterator entries(folder, ignored);
+  const fs::directory_iterator entries(folder, ignored);
   return std::any_of(begin(entries), end(entries), is_picture);
+}
+
+/// Takes away the pictures that an older overlay has points of: two runs in one folder would look like one.
+void RemovePictures(const fs::path& folder) {
+  std::ifstream rows(PointsIn(folder));
+  std::optional<Timestamp> last;
+  for (std::string row; std::getline(rows, row);) {
+    const auto time = ParseTimestamp(row.substr(0, row.find(',')));
+    if (!time || time == last) continue;
+    std::error_code ignored;
+    fs::remove(PictureIn(folder, *time), ignored);
+    last = time;
+  }
 }
 
 }  // namespace
@@ -57,20 +78,26 @@ cv::Mat DrawJudgement(const Watched& watched) {
   return picture;
 }
 
-OverlayWriter::OverlayWriter(std::string folder)
-    : folder_(std::move(folder)), points_(std::filesystem::path(folder_) / "points.csv") {
-  points_ << "timestamp,x,y,level,verdict\n";
-}
-
 Result<std::shared_ptr<OverlayWriter>> OverlayWriter::Open(const std::string& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  fs::create_directories(folder, error);
   if (error) return BadInput("--save-overlay: " + folder + " cannot be made: " + error.message());
   if (HoldsOtherPictures(folder))
     return BadInput("--save-overlay: " + folder + " holds pictures already; name another folder");
-  std::shared_ptr<OverlayWriter> writer(new OverlayWriter(folder));
-  if (!writer->points_.flush()) return BadInput("--save-overlay: " + folder + "/points.csv cannot be written");
-  return writer;
+  const fs::path points = PointsIn(folder);
+  const bool was_there = fs::exists(points, error);
+  if (!std::ofstream(points, std::ios::app)) {
+    return BadInput("--save-overlay: " + points.string() + " cannot be written");
+  }
+  if (!was_there) fs::remove(points, error);
+  return std::shared_ptr<OverlayWriter>(new OverlayWriter(folder));
+}
+
+Status OverlayWriter::Begin() {
+  RemovePictures(folder_);
+  points_.open(PointsIn(folder_));
+  points_ << "timestamp,x,y,level,verdict\n";
+  return points_.flush() ? Status::Ok() : Status(Failure(PointsIn(folder_).string() + " cannot be written"));
 }
 
 void OverlayWriter::Write(const Watched& watched) {
@@ -81,7 +108,7 @@ void OverlayWriter::Write(const Watched& watched) {
             << FormatFixed(static_cast<double>(point.y), 2) << ',' << point.octave << ','
             << ToString(watched.verdicts[i]) << '\n';
   }
-  const std::string file = (std::filesystem::path(folder_) / (time + ".png")).string();
+  const std::string file = PictureIn(folder_, watched.images.timestamp).string();
   if (!status_) return;
   const auto bytes = EncodePictureFor(file, DrawJudgement(watched));
   status_ = bytes ? WriteFileQuickly(file, *bytes) : Status(bytes.error());

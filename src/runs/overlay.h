@@ -6,6 +6,7 @@
 #include <memory>
 #include <opencv2/core.hpp>
 #include <string>
+#include <utility>
 
 #include "core/result.h"
 #include "system/slam.h"
@@ -19,8 +20,11 @@ cv::Mat DrawJudgement(const Watched& watched);
 /// Writes DIR/TIMESTAMP.png for each picture, and DIR/points.csv: `timestamp,x,y,level,verdict`.
 class OverlayWriter {
  public:
-  /// Bad input where the folder cannot be made or written, or holds other pictures.
+  /// Bad input where the folder cannot be made or written, or holds other pictures. An older overlay stays until Begin.
   static Result<std::shared_ptr<OverlayWriter>> Open(const std::string& folder);
+
+  /// Takes an older overlay away and begins points.csv anew. Before the first Write.
+  Status Begin();
 
   void Write(const Watched& watched);
 
@@ -28,7 +32,7 @@ class OverlayWriter {
   const Status& status() const { return status_; }
 
  private:
-  explicit OverlayWriter(std::string folder);
+  explicit OverlayWriter(std::string folder) : folder_(std::move(folder)) {}
 
   std::string folder_;
   std::ofstream points_;

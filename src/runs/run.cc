@@ -18,7 +18,6 @@
 #include "geometry/trajectory.h"
 #include "runs/feed.h"
 #include "runs/make_detector.h"
-#include "runs/map_export.h"
 #include "runs/overlay.h"
 #include "runs/resources.h"
 #include "runs/results.h"
@@ -226,9 +225,6 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
   if (!parts) return parts.error();
   Run run{dataset, options, options.out, CameraFileText(dataset.rig()), {}};
   run.num_boxes_unmatched = parts->num_boxes_unmatched;
-  auto loaded = LoadRunMap(options.config, dataset.rig());
-  if (!loaded) return loaded.error();
-  parts->slam.map = *std::move(loaded);
   run.vocabulary = parts->slam.vocabulary;
   ReturnFreedMemory();  // of the files that all of it was made from
   if (options.out.empty()) {
@@ -247,6 +243,9 @@ Result<RunSummary> RunUnmasked(const Dataset& dataset, const RunOptions& options
   }
   auto slam = Slam::Create(options.config, dataset.rig(), std::move(parts->slam));
   if (!slam) return slam.error();
+  if (overlay) {
+    if (const Status begun = overlay->Begin(); !begun) return begun.error();
+  }
   LogInfo("run of " + options.title + ": " + std::to_string(FramesToFeed(dataset, options.config)) + " frames, mode " +
           options.config.mode + ", seed " + std::to_string(options.config.seed) + ", camera " + dataset.rig().name +
           ", results in " + run.out);

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <ctime>
 #include <filesystem>
@@ -84,6 +85,29 @@ Result<std::string> MakeDefaultRunFolder() {
     if (error) return Unusable(folder, error.value());
   }
   return Unusable(name, EEXIST);
+}
+
+std::string NumberedPath(const std::string& path, size_t number) {
+  if (number == 1) return path;
+  fs::path numbered(path);
+  const std::string name = numbered.stem().string() + "_" + std::to_string(number) + numbered.extension().string();
+  return numbered.replace_filename(name).string();
+}
+
+std::vector<std::string> OlderFiles(const std::string& path, const std::vector<FileToWrite>& written,
+                                    size_t num_submaps) {
+  std::vector<std::string> older;
+  std::error_code ignored;
+  for (size_t number = 2;; ++number) {
+    const std::string further = NumberedPath(path, number);
+    const auto is_it = [&](const FileToWrite& file) { return file.path == further; };
+    if (std::any_of(written.begin(), written.end(), is_it)) continue;
+    if (fs::is_regular_file(further, ignored)) {
+      older.push_back(further);
+    } else if (number > num_submaps) {
+      return older;
+    }
+  }
 }
 
 }  // namespace yorb

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/files.h"
 #include "core/result.h"
 
 namespace yorb {
@@ -21,5 +23,13 @@ bool IsResultName(const std::string& name);
 
 /// The files of a run folder, each with its folder before it.
 std::string InRunFolder(const std::string& folder, const std::string& file);
+
+/// The file of the sub-map with that number, from 1.
+std::string NumberedPath(const std::string& path, size_t number);
+
+/// The files beside `path` that an older result with other sub-maps may have left: numbered ones that are not among
+/// those `written`, up to the first number beyond `num_submaps` that is not there.
+std::vector<std::string> OlderFiles(const std::string& path, const std::vector<FileToWrite>& written,
+                                    size_t num_submaps);
 
 }  // namespace yorb

@@ -69,5 +69,16 @@ TEST_F(RunFolder, WithoutANameIsANewOneEveryTime) {
   EXPECT_NE(*first, *second);
 }
 
+TEST_F(RunFolder, FilesOfSubmapsThatWereNotWrittenAreOlderOnes) {
+  const auto in = [&](const char* name) { return InRunFolder(folder_, name); };
+  EXPECT_EQ(NumberedPath(in("x.ply"), 1), in("x.ply"));
+  EXPECT_EQ(NumberedPath(in("x.ply"), 3), in("x_3.ply"));
+  const std::vector<FileToWrite> written = {{in("x.ply"), ""}, {in("x_3.ply"), ""}};
+  for (const char* name : {"x.ply", "x_2.ply", "x_3.ply", "x_4.ply", "x_6.ply"}) {
+    ASSERT_TRUE(WriteFileWhole(in(name), "old").ok());
+  }
+  EXPECT_THAT(OlderFiles(in("x.ply"), written, 3), testing::ElementsAre(in("x_2.ply"), in("x_4.ply")));
+}
+
 }  // namespace
 }  // namespace yorb

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "core/text.h"
 #include "system/slam.h"
 
 namespace yorb {
@@ -13,12 +14,6 @@ namespace {
 
 std::string CountsOf(const Map& map) {
   return std::to_string(map.num_keyframes()) + " keyframes, " + std::to_string(map.num_landmarks()) + " landmarks";
-}
-
-std::string DigestText(uint64_t digest) {
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[digest >> shift & 15];
-  return text;
 }
 
 void WarnOfOtherCamera(const std::string& path, const Map& map, const Rig& rig) {
@@ -64,7 +59,7 @@ Result<bool> SaveRunMap(const std::string& path, const Map& map, const Vocabular
     LogWarning("map-empty", path + " was not written: there is no map");
     return false;
   }
-  const Status written = WriteMapFile(path, map, {vocabulary ? DigestText(vocabulary->digest()) : "", roots});
+  const Status written = WriteMapFile(path, map, {vocabulary ? HexText(vocabulary->digest()) : "", roots});
   if (!written) return written.error();
   LogInfo("map in " + path + ": " + CountsOf(map));
   return true;

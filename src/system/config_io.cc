@@ -5,7 +5,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <map>
@@ -234,9 +233,7 @@ Config WithWholePaths(Config config) {
 std::string ConfigDigest(const Config& config, const std::string& camera_text) {
   uint64_t hash = 0xcbf29ce484222325ull;  // FNV-1a
   for (const char c : ConfigText(config, camera_text)) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  char digits[17];
-  std::snprintf(digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
+  return HexText(hash);
 }
 
 std::vector<std::string> ConfigKeys() {

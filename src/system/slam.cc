@@ -23,8 +23,6 @@ std::string ProjectionText(const Rig& rig) {
   return text;
 }
 
-std::string SizeText(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
-
 }  // namespace
 
 // One bundle, one camera: keyframes of two cameras are never adjusted together.
