@@ -37,9 +37,9 @@ struct BoxTrack {
 
 /// Bridges what a detector misses, and the pictures that it does not look at, where for a moment what it saw last is as
 /// good as seen. A box that was seen in two pictures stays, moving on at constant velocity, for a while after the
-/// detector lost it, and for longer while its body is found there. Static things are not followed: their boxes are only
-/// those of this picture. What a detector hardly sees continues for a while what it saw surely, and more than once, but
-/// begins nothing. Where a box file says that nobody is there, nothing is bridged.
+/// detector lost it, and for longer while its body is found there. Static things are not followed: depth tells what is
+/// a body. What a detector hardly sees continues for a while what it saw surely, and more than once, but begins
+/// nothing. Where a box file says that nobody is there, nothing is bridged.
 class BoxTracks {
  public:
   /// `sure_confidence`: boxes of people below it begin nothing; those of pets need more.

@@ -22,7 +22,7 @@ inline std::string NameOf(LandmarkId id) { return "landmark " + std::to_string(i
 enum class TrackingState {
   kNotInitialized,  ///< nothing has been seen yet that a map could begin with
   kTracking,        ///< this frame's pose is confirmed by matches
-  kRecentlyLost,    ///< not confirmed; the motion model still says where to look
+  kRecentlyLost,    ///< not confirmed, for a moment only so far
   kLost,            ///< sought among the keyframes
 };
 

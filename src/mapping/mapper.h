@@ -18,7 +18,7 @@ namespace yorb {
 
 /// What the mapper may ask and tell while it works on a keyframe.
 struct MapperHooks {
-  std::function<bool()> is_busy;  ///< more proposals wait: adjusting may be cut short; empty: never
+  std::function<bool()> is_busy;  ///< more proposals wait: adjusting is left out, or ends early; empty: never
   std::function<void(MapSnapshot)>
       publish;  ///< called once the new keyframe is in, before it is adjusted; may be empty
 };

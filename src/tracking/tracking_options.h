@@ -20,7 +20,7 @@ struct TrackingOptions {
   double keyframe_ratio = 0.75;      ///< a keyframe is due when fewer of the reference's landmarks are still matched
   double keyframe_shift = 0.1;       ///< or when the camera is so far from the reference, in units of the median depth
   double keyframe_turn_deg = 15;     ///< or has turned so far from it
-  double keyframe_interval_s = 1.0;  ///< and at the latest after so long
+  double keyframe_interval_s = 1.0;  ///< after so long one that is due does not wait for the mapper
   double relocalize_radius_px = 30;  ///< search about a coarse pose
 
   template <typename Self, typename Visitor>
