@@ -24,6 +24,11 @@ int CountPointsWithDepth(const Frame& frame) {
   return static_cast<int>(std::count_if(frame.depth.begin(), end, [](float d) { return d > 0; }));
 }
 
+/// Whether something leads from one keyframe to the other.
+bool AreOfOneSubMap(const Map& map, KeyframeId a, KeyframeId b) {
+  return map.Find(map.Surviving(a))->root == map.Find(map.Surviving(b))->root;
+}
+
 /// Lets go of the suspects that are doubtful under a pose.
 FramePtr WithoutDoubtful(const FramePtr& frame, Fix& fix) {
   if (frame->num_suspects == 0) return frame;
@@ -60,7 +65,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   motion_.Forget();
   movers_.Forget();
   surfaces_.Forget();
-  last_ = {frame, first, Rigid3::Identity(), std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame, sight_.grey};
+  last_ = {frame, {first, Rigid3::Identity()}, std::vector<LandmarkId>(frame->size()), 0, 0, raw_frame, sight_.grey};
   was_lost_ = starts_over_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
@@ -101,15 +106,15 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   const MovingCells movers = FindMovers(frame, map, *located);
   tracked.moving = LeaveOut(movers, frame, map, fix, support);
   Remember(frame, map, *located);
-  surfaces_.Add(WithoutMovers(sight_.depth, movers), frame->timestamp, {last_.reference, last_.cam_from_reference});
+  surfaces_.Add(WithoutMovers(sight_.depth, movers), frame->timestamp, last_.place);
   last_.picture = raw_frame;
   if (!task_.only_locates) CountGone(*frame, map, *located);
-  tracked.record.reference = last_.reference;
-  tracked.record.cam_from_reference = last_.cam_from_reference;
+  tracked.record.reference = last_.place.reference;
+  tracked.record.cam_from_reference = last_.place.cam_from_reference;
   tracked.record.num_matched = static_cast<int>(fix.num_matched);
   tracked.record.num_inliers = static_cast<int>(fix.num_in_all());
   const KeyframeQuestion question{
-      *frame, fix, map, last_.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
+      *frame, fix, map, last_.place.reference, SecondsBetween(last_proposal_, frame->timestamp), frames_since_proposal_,
       backlog};
   const bool is_sure = fix.num_in_all() >= static_cast<size_t>(options_.min_inliers);
   if (!task_.only_locates && is_sure && IsKeyframeDue(question, options_)) tracked.proposal = Propose(frame, fix);
@@ -120,8 +125,8 @@ Tracked Tracker::StandStill() {
   // One picture, one pose. Where the camera is by now nobody knows; the motion model starts anew after the pause.
   Tracked tracked;
   state_ = TrackingState::kTracking;
-  tracked.record.reference = last_.reference;
-  tracked.record.cam_from_reference = last_.cam_from_reference;
+  tracked.record.reference = last_.place.reference;
+  tracked.record.cam_from_reference = last_.place.cam_from_reference;
   tracked.record.num_matched = tracked.record.num_inliers = static_cast<int>(CountValid(last_.matches));
   return tracked;
 }
@@ -131,8 +136,7 @@ void Tracker::FollowKeyframe(const Map& map) {
   const Keyframe* newest = map.Find(map.newest_keyframe());
   if (!newest || newest->frame != last_.frame) return;
   last_.matches = newest->landmarks;
-  last_.reference = newest->id;
-  last_.cam_from_reference = Rigid3::Identity();
+  last_.place = {newest->id, Rigid3::Identity()};
 }
 
 Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
@@ -161,11 +165,6 @@ Tracker::Sought Tracker::FindPose(const Frame& frame, const Map& map) {
     if (auto alone = TrackBlindly(frame, map)) best = Located{std::move(*alone), {}, {}};
   }
   return sought;
-}
-
-bool Tracker::IsConvincing(const Fix& fix) {
-  constexpr double kShare = 0.6;
-  return static_cast<double>(fix.num_in_all()) >= kShare * static_cast<double>(fix.num_matched);
 }
 
 std::optional<Fix> Tracker::TrackFromLast(const Frame& frame, const Map& map) const {
@@ -219,7 +218,7 @@ std::optional<Fix> Tracker::TrackFromPrediction(const Frame& frame, const Map& m
 }
 
 std::optional<Fix> Tracker::TrackFromKeyframe(const Frame& frame, const Map& map) const {
-  const Keyframe* reference = map.Find(map.Surviving(last_.reference));
+  const Keyframe* reference = map.Find(map.Surviving(last_.place.reference));
   if (!reference) return std::nullopt;
   Random random(static_cast<uint64_t>(seed_), frame.id.value());
   return RelocalizeAgainst(frame, map, *reference, {kMinInliersOfGuess, options_.relocalize_radius_px}, random);
@@ -244,7 +243,7 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   if (local.keyframes.empty()) {
     // No landmark was matched, but the frame before is in view: its keyframe and, where it lies in the same sub-map,
     // the newest one, which may have been made of that very frame, stand for the place.
-    const Keyframe* near = map.Find(map.Surviving(last_.reference));
+    const Keyframe* near = map.Find(map.Surviving(last_.place.reference));
     const Keyframe* newest = map.Find(map.newest_keyframe());
     if (near && newest && newest->root == near->root) local.keyframes.push_back(newest->id);
     if (near && near != newest) local.keyframes.push_back(near->id);
@@ -265,40 +264,6 @@ std::optional<Tracker::Located> Tracker::TrackLocalMap(const Frame& frame, const
   return std::nullopt;
 }
 
-bool Tracker::IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) const {
-  constexpr double kWarySeconds = 1.0;
-  const bool is_wary = was_lost_ && SecondsBetween(lost_since_, frame.timestamp) < kWarySeconds;
-  int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
-  // Where people hide the view, a few points say enough, if they agree and the camera goes on as it did.
-  if (IsConvincing(fix) && GoesOn(frame, map, fix)) needed = options_.min_inliers_going_on;
-  // Without a mapper that takes in what is new, points of the frame before lead away from the map unnoticed.
-  const size_t num_inliers = task_.only_locates ? fix.num_inliers : fix.num_in_all();
-  return num_inliers >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();
-}
-
-/// Whether the camera can have come there from the frame before. Where much speaks for the pose, that does not count.
-bool Tracker::IsPlausible(const Frame& frame, const Map& map, const Fix& fix) const {
-  constexpr size_t kMany = 150;
-  constexpr double kMost = 0.6;
-  const auto num_inliers = fix.num_in_all();
-  const bool is_sure =
-      num_inliers >= kMany && static_cast<double>(num_inliers) >= kMost * static_cast<double>(fix.num_matched);
-  if (is_sure || !last_.frame || state_ == TrackingState::kLost) return true;
-  return motion_.CanReach(last_.frame->timestamp, frame.timestamp, fix.cam_from_world * LastPose(map).Inverse());
-}
-
-/// Whether the camera moves on about as it did in the frame before.
-bool Tracker::GoesOn(const Frame& frame, const Map& map, const Fix& fix) const {
-  if (state_ != TrackingState::kTracking || !motion_.rate()) return false;
-  const Rigid3 step = fix.cam_from_world * LastPose(map).Inverse();
-  return motion_.CanReach(last_.frame->timestamp, frame.timestamp, step, kEase);
-}
-
-/// How much speaks for a pose, in matches: twice as much where the camera only goes on as it did.
-size_t Tracker::Speaking(const Frame& frame, const Map& map, const Fix& fix) const {
-  return fix.num_in_all() * (GoesOn(frame, map, fix) ? 2 : 1);
-}
-
 /// Whether the frame before says nothing about this one: single pictures in no order are located one by one.
 bool Tracker::IsAlone(const Frame& frame) const {
   return task_.only_locates && last_.frame &&
@@ -314,16 +279,9 @@ void Tracker::CountSeen(const Located& located) {
   }
 }
 
-/// Whether a pose is in another sub-map than the one before: nothing leads from there to here.
-bool Tracker::IsElsewhere(const Located& located, const Map& map) const {
-  if (!last_.frame) return false;
-  const Keyframe* before = map.Find(map.Surviving(last_.reference));
-  return before && map.Find(PlaceOf(located, map).reference)->root != before->root;
-}
-
 void Tracker::NoteMotion(const Frame& frame, const Map& map, const Located& located) {
   const Fix& fix = located.fix;
-  if (IsElsewhere(located, map)) {
+  if (last_.frame && !AreOfOneSubMap(map, last_.place.reference, PlaceOf(located, map).reference)) {
     motion_.Forget();
     movers_.Forget();
     surfaces_.Forget();
@@ -343,16 +301,14 @@ void Tracker::NoteMotion(const Frame& frame, const Map& map, const Located& loca
 
 CameraPlace Tracker::PlaceOf(const Located& located, const Map& map) const {
   const KeyframeId reference =
-      located.local.reference.IsValid() ? located.local.reference : map.Surviving(last_.reference);
+      located.local.reference.IsValid() ? located.local.reference : map.Surviving(last_.place.reference);
   return {reference, located.fix.cam_from_world * map.Find(reference)->cam_from_world.Inverse()};
 }
 
 void Tracker::Remember(const FramePtr& frame, const Map& map, const Located& located) {
   const Fix& fix = located.fix;
-  const CameraPlace place = PlaceOf(located, map);
   last_ = {frame,
-           place.reference,
-           place.cam_from_reference,
+           PlaceOf(located, map),
            fix.matches,
            CountValid(fix.matches),
            fix.num_in_all() == 0 ? last_.num_blind + 1 : 0,
@@ -380,7 +336,7 @@ bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
 }
 
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
-  Proposal proposal{frame, last_.reference, last_.cam_from_reference, fix.matches, {}, {}};
+  Proposal proposal{frame, last_.place.reference, last_.place.cam_from_reference, fix.matches, {}, {}};
   proposal.information = BesideLandmarks(*frame, fix);
   proposal.counts.reserve(counts_.size());
   for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found, count.gone});
@@ -409,9 +365,9 @@ Rigid3 Tracker::PredictedPose(const Frame& frame, const Map& map) const {
 }
 
 Rigid3 Tracker::LastPose(const Map& map) const {
-  const auto reference = map.CamFromWorld(last_.reference);
+  const auto reference = map.CamFromWorld(last_.place.reference);
   YORB_CHECK(reference.has_value(), "the reference of a confirmed frame stays answerable");
-  return last_.cam_from_reference * *reference;
+  return last_.place.cam_from_reference * *reference;
 }
 
 }  // namespace yorb

@@ -40,8 +40,7 @@ struct TrackerTask {
 
 class Tracker {
  public:
-  /// Without a vocabulary (null), a lost camera is sought among the newest keyframes and some of the older ones in
-  /// turn.
+  /// Without a vocabulary (null), a lost camera is sought among the newest keyframes and, in turn, some older ones.
   Tracker(const TrackingOptions& options, int64_t seed, const TrackerTask& task = {},
           VocabularyPtr vocabulary = nullptr)
       : options_(options),
@@ -64,8 +63,7 @@ class Tracker {
   /// The newest frame whose pose was confirmed.
   struct Confirmed {
     FramePtr frame;  ///< null: there was none yet
-    KeyframeId reference;
-    Rigid3 cam_from_reference;
+    CameraPlace place;
     std::vector<LandmarkId> matches;
     size_t num_found = 0;  ///< of `matches`, before a keyframe that was made of the frame brought more
     int num_blind = 0;     ///< frames in a row up to it in which no point speaks for the pose
@@ -118,7 +116,6 @@ class Tracker {
   std::vector<Keypoint> LeaveOut(const MovingCells& movers, FramePtr& frame, const Map& map, Fix& fix,
                                  const Support& support);
   Support SupportFor(const Frame& frame, const Map& map, const Fix& fix) const;
-  bool IsElsewhere(const Located& located, const Map& map) const;
   void NoteMotion(const Frame& frame, const Map& map, const Located& located);
   CameraPlace PlaceOf(const Located& located, const Map& map) const;
   void Remember(const FramePtr& frame, const Map& map, const Located& located);
