@@ -70,6 +70,7 @@ void Mapper::Apply(const Correction& correction) {
 void Mapper::TieTogether(const SamePlace& place) {
   constexpr size_t kNeighbours = 10;
   const KeyframeId newer = map_.Surviving(place.newer), older = map_.Surviving(place.older);
+  if (newer == older) return;  // what has become one meanwhile needs no tie
   const std::vector<KeyframeId> ones = map_.Find(newer)->WithStrongest(kNeighbours, 1);
   const std::vector<KeyframeId> others = map_.Find(older)->WithStrongest(kNeighbours, 1);
   const KeyframeId newers_root = map_.Find(newer)->root, olders_root = map_.Find(older)->root;

@@ -90,7 +90,6 @@ TEST(CullRecentLandmarks, LeavesThoseOfAnotherSubMapAlone) {
   for (const LandmarkId id : left_behind) EXPECT_TRUE(map.Find(id));
 }
 
-/// Maps a row of views as a tracker with perfect matches and slightly wrong poses would propose them.
 TEST(RemoveGone, TakesOutWhatWasOftenSeenToHaveGone) {
   const SyntheticWorld world(4);
   const auto view = world.Look(CameraAt(0), FrameId(0), Timestamp{0});
@@ -106,6 +105,20 @@ TEST(RemoveGone, TakesOutWhatWasOftenSeenToHaveGone) {
   EXPECT_EQ(map.Check(), "");
 }
 
+TEST(Mapper, NeedsNoTieBetweenKeyframesThatHaveBecomeOne) {
+  const SyntheticWorld world(1);
+  Map map;
+  const KeyframeId older = InsertKeyframe(map, First(world.Look(CameraAt(0), FrameId(0), Timestamp{0})));
+  const KeyframeId newer = map.AddKeyframe(world.Look(CameraAt(1), FrameId(1), Timestamp{1}).frame, CameraAt(1), older);
+  map.Remove(newer);  // culled between recognition and correction
+  Mapper mapper({}, nullptr, map);
+  Correction correction;
+  correction.place = SamePlace{newer, older};
+  mapper.Apply(correction);
+  EXPECT_EQ(mapper.Snapshot()->Check(), "");
+}
+
+/// Maps a row of views as a tracker with perfect matches and slightly wrong poses would propose them.
 TEST(Mapper, PullsWrongPosesRightAndKeepsTheInvariants) {
   SyntheticWorldOptions options;
   options.pixel_noise = 0.3;
