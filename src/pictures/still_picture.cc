@@ -122,12 +122,6 @@ cv::Mat Upright(const cv::Mat& picture, int orientation) {
 }
 
 Result<cv::Mat> ReadUprightPicture(const std::string& path) {
-  auto picture = ReadStoredPicture(path);
-  if (!picture) return picture;
-  return Upright(*picture, ExifOrientation(HeadOf(path)));
-}
-
-Result<cv::Mat> ReadStoredPicture(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) return BadInput(path + " does not exist");
   if (std::filesystem::is_directory(path, ignored)) return BadInput(path + " is a folder, a picture is expected");
@@ -135,7 +129,7 @@ Result<cv::Mat> ReadStoredPicture(const std::string& path) {
   if (!stored.fault.empty()) return BadInput(path + " " + stored.fault);
   auto picture = ToColourAndGrey(stored.pixels, path);
   if (!picture) return picture.error();
-  return picture->colour.empty() ? picture->grey : picture->colour;
+  return Upright(picture->colour.empty() ? picture->grey : picture->colour, ExifOrientation(HeadOf(path)));
 }
 
 }  // namespace yorb

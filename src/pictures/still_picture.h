@@ -20,7 +20,4 @@ cv::Mat Upright(const cv::Mat& picture, int orientation);
 /// A single picture as a viewer shows it: 8-bit, grey or BGR. Bad input where it is missing or cannot be read whole.
 Result<cv::Mat> ReadUprightPicture(const std::string& path);
 
-/// The same as it is stored, whatever EXIF says: a camera's model is about the rows and columns of its sensor.
-Result<cv::Mat> ReadStoredPicture(const std::string& path);
-
 }  // namespace yorb

@@ -128,22 +128,6 @@ TEST(PictureSource, GivesPicturesFoldersAndSequences) {
   EXPECT_FALSE((*OpenPictureSource(folder.Path("gone.png")))->Next());
 }
 
-TEST(PictureSource, ExifTurnsPhotosAndNotTheFramesOfASequence) {
-  const TestFolder folder;
-  folder.WritePicture("photos/a.jpg", TestColour(0));  // 64x48
-  const std::string lying(                             // an EXIF block of one entry, orientation 6
-      "\xff\xe1\0\x22"
-      "Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0",
-      36);
-  const std::string jpeg = folder.Read("photos/a.jpg").insert(2, lying);
-  folder.Write("photos/a.jpg", jpeg);
-  folder.Write("sequence/a.jpg", jpeg);
-  folder.Write("sequence/rgb.txt", "1.5 a.jpg\n");
-  const auto size_in = [&](const char* name) { return (*OpenPictureSource(folder.Path(name)))->Next()->pixels.size(); };
-  EXPECT_EQ(size_in("photos"), cv::Size(48, 64));
-  EXPECT_EQ(size_in("sequence"), cv::Size(64, 48)) << "as a run reads it";
-}
-
 TEST(DrawBoxes, ChangesThePictureAlongTheBoxAndNotTheOriginal) {
   const cv::Mat picture(100, 200, CV_8UC1, cv::Scalar(10));
   const cv::Mat drawn = DrawBoxes(picture, {{"person", .9, 50, 40, 150, 90}});

@@ -21,9 +21,6 @@ namespace fs = std::filesystem;
 /// Picture files, with time stamps or without.
 class FileSource : public PictureSource {
  public:
-  using Read = Result<cv::Mat> (*)(const std::string& path);
-  explicit FileSource(Read read) : read_(read) {}
-
   void Add(std::string image, std::string name, std::optional<Timestamp> time) {
     entries_.push_back({std::move(image), std::move(name), time, {}});
   }
@@ -33,14 +30,13 @@ class FileSource : public PictureSource {
 
   Result<SourcePicture> Next() override {
     SourcePicture entry = entries_[next_++];
-    auto pixels = read_(entry.image);
+    auto pixels = ReadUprightPicture(entry.image);
     if (!pixels) return pixels.error();
     entry.pixels = *std::move(pixels);
     return entry;
   }
 
  private:
-  Read read_;
   std::vector<SourcePicture> entries_;
   size_t next_ = 0;
 };
@@ -71,7 +67,7 @@ class VideoSource : public PictureSource {
 Result<std::unique_ptr<PictureSource>> OpenSequence(const std::string& folder) {
   const auto list = ReadColourList(folder);
   if (!list) return list.error();
-  auto source = std::make_unique<FileSource>(ReadStoredPicture);  // as a run reads them
+  auto source = std::make_unique<FileSource>();
   for (const ListedPicture& picture : list->pictures) {
     const fs::path name = fs::path(picture.path).lexically_relative(folder);
     source->Add(picture.path, name.empty() || *name.begin() == ".." ? name.filename().string() : name.string(),
@@ -83,7 +79,7 @@ Result<std::unique_ptr<PictureSource>> OpenSequence(const std::string& folder) {
 Result<std::unique_ptr<PictureSource>> OpenFolder(const std::string& folder) {
   const std::vector<std::string> pictures = PicturesUnder(folder);
   if (pictures.empty()) return BadInput(folder + " holds no pictures");
-  auto source = std::make_unique<FileSource>(ReadUprightPicture);
+  auto source = std::make_unique<FileSource>();
   for (const std::string& picture : pictures)
     source->Add(picture, fs::path(picture).lexically_relative(folder).string(), std::nullopt);
   return std::unique_ptr<PictureSource>(std::move(source));
@@ -101,7 +97,7 @@ Result<std::unique_ptr<PictureSource>> OpenPictureSource(const std::string& path
     if (!source->HasNext()) return BadInput(path + " holds no picture that can be decoded");
     return std::unique_ptr<PictureSource>(std::move(source));
   }
-  auto source = std::make_unique<FileSource>(ReadUprightPicture);
+  auto source = std::make_unique<FileSource>();
   source->Add(path, fs::path(path).filename().string(), std::nullopt);
   return std::unique_ptr<PictureSource>(std::move(source));
 }

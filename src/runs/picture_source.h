@@ -18,7 +18,7 @@ struct SourcePicture {
   std::string image;              ///< its file, or the video's
   std::string name;               ///< relative to the source, for results: "a/b.jpg", "clip_000012.png"
   std::optional<Timestamp> time;  ///< of a sequence or a video
-  cv::Mat pixels;                 ///< 8-bit, grey or BGR, as a viewer shows it; of a sequence as it is stored
+  cv::Mat pixels;                 ///< 8-bit, grey or BGR, as a viewer shows it
 };
 
 /// A picture, a folder of pictures, a sequence or a video, read one picture at a time.
