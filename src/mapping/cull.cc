@@ -42,8 +42,8 @@ std::vector<LandmarkId> CullRecentLandmarks(Map& map, const std::vector<Landmark
   const KeyframeId root = map.Find(map.newest_keyframe())->root;
   for (const LandmarkId id : recent) {
     const Landmark* landmark = map.Find(id);
-    if (!landmark || map.Find(landmark->reference)->root != root)
-      continue;  // nothing more will see what is left behind
+    // What was left behind in another sub-map is not judged by what is seen here.
+    if (!landmark || map.Find(landmark->reference)->root != root) continue;
     const uint32_t age = map.newest_keyframe().value() - landmark->first_keyframe.value();
     const bool is_hardly_found = landmark->num_found < kMinFoundShare * landmark->num_visible;
     if (is_hardly_found || (age >= kYoung && NumRays(map, *landmark) <= kTooFewRays)) {

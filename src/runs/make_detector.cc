@@ -51,7 +51,7 @@ Status TakeFile(const Config& config, const Dataset& dataset, RunParts& parts) {
 
 Status TakeNetwork(const Config& config, RunParts& parts) {
   DetectionOptions options = config.detection;
-  parts.sure_confidence = options.confidence;
+  parts.sure_confidence = SureConfidence(config);
   if (config.dynamics == "full") options.confidence = std::min(options.confidence, options.faint_confidence);
   auto detector = YoloDetector::Open(options);
   if (!detector)

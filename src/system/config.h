@@ -72,4 +72,9 @@ struct Config {
   }
 };
 
+/// The confidence from which a box alone speaks for a body: of the network's boxes; those of a file all do.
+inline double SureConfidence(const Config& config) {
+  return config.detections.empty() ? config.detection.confidence : 0;
+}
+
 }  // namespace yorb

@@ -23,9 +23,6 @@ Dynamics DynamicsOf(const Config& config) {
   return config.dynamics == "full" ? Dynamics::kFull : Dynamics::kPaper;
 }
 
-/// The confidence from which a box alone speaks for a body: of the network's boxes; those of a file all do.
-double SureConfidence(const Config& config) { return config.detections.empty() ? config.detection.confidence : 0; }
-
 /// Only a network is worth sparing, and only boxes that are followed can move along to the pictures between.
 double DetectionIntervalOf(const Config& config) {
   return DynamicsOf(config) == Dynamics::kFull && config.detections.empty() ? config.detection.interval_s : 0;
