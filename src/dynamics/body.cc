@@ -130,6 +130,8 @@ BodyPlane FitBody(const BodySearch& search, const Box& box, float metres) {
   const CellRange range = search.depth.RangeOf(box);
   constexpr int kTurns = 8;
   constexpr float kStiffness = 2e-4f;
+  constexpr float kMostTurned = 0.9f;  // of its inverse depth over the picture's width, about 40 degrees: more are two
+  const float most_turned = kMostTurned / static_cast<float>(search.depth.columns());
   BodyPlane body{{{1 / metres, 0, 0}}, 0};
   for (int turn = 0; turn < kTurns; ++turn) {
     CellPlaneFit fit(range);
@@ -142,7 +144,7 @@ BodyPlane FitBody(const BodySearch& search, const Box& box, float metres) {
       }
     }
     if (fit.weight() < 1) break;
-    body.plane = fit.Solve(kStiffness);
+    body.plane = fit.Solve(kStiffness, most_turned);
   }
   body.metres = body.plane.DepthAt((range.left + range.right) / 2, (range.top + range.bottom) / 2);
   return body;

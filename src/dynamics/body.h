@@ -74,7 +74,8 @@ struct Contrast {
 Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& body);
 
 /// The plane through a body, starting with one that faces the camera at `metres`: each turn takes in what lies near the
-/// plane of the turn before, so that it follows the body up and down.
+/// plane of the turn before, so that it follows the body up and down. Sideways it turns by so much only: a plane that
+/// is steeper goes from one body to the next.
 BodyPlane FitBody(const BodySearch& search, const Box& box, float metres);
 
 /// Marks in `mask` (a value for each cell) the body at `body`: what lies near its plane in the box, and what hangs

@@ -52,5 +52,18 @@ TEST(Contrast, WhatIsTakenCountsForNothing) {
   EXPECT_EQ(ContrastOf({depth, taken, {}}, box, {{{1 / 1.5f, 0, 0}}, 1.5f}).all_round, 0);
 }
 
+TEST(FitBody, DoesNotGoFromOneBodyToTheNext) {
+  cv::Mat millimetres(kHeight, kWidth, CV_16UC1, cv::Scalar(4000));
+  millimetres(cv::Rect(200, 100, 90, 300)).setTo(2000);
+  millimetres(cv::Rect(290, 100, 30, 300)).setTo(1670);  // an arm between the two
+  millimetres(cv::Rect(320, 100, 90, 300)).setTo(1400);
+  const DepthCells depth({millimetres, 0.001});
+  const CellMask taken(depth.IndexOf(0, depth.rows()), 0);
+  const BodyPlane body = FitBody({depth, taken, {}}, {"person", 1, 200, 100, 410, 400}, 1.65f);
+  const int row = 250 / kDepthCellPx;
+  EXPECT_TRUE(body.Holds(305 / kDepthCellPx, row, 1.67f));
+  EXPECT_FALSE(body.Holds(210 / kDepthCellPx, row, 2.0f) && body.Holds(400 / kDepthCellPx, row, 1.4f));
+}
+
 }  // namespace
 }  // namespace yorb

@@ -3,6 +3,7 @@
 #include "dynamics/cell_plane.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 namespace yorb {
 
@@ -17,10 +18,18 @@ void CellPlaneFit::Add(int column, int row, float metres, float weight) {
   products_ += weight / metres * place;
 }
 
-CellPlane CellPlaneFit::Solve(float stiffness) const {
+CellPlane CellPlaneFit::Solve(float stiffness, float most_turned) const {
   Eigen::Matrix3f stiff = squares_;
   stiff.diagonal().tail<2>().array() += stiffness * weight() + 1e-6f;
-  const Eigen::Vector3f plane = stiff.ldlt().solve(products_);
+  Eigen::Vector3f plane = stiff.ldlt().solve(products_);
+  const float most = most_turned * half_.x() * std::abs(plane[0]);
+  if (std::abs(plane[1]) > most) {
+    plane[1] = std::copysign(most, plane[1]);
+    const Eigen::Matrix2f rest{{stiff(0, 0), stiff(0, 2)}, {stiff(2, 0), stiff(2, 2)}};
+    const Eigen::Vector2f what_is_left{products_[0] - stiff(0, 1) * plane[1], products_[2] - stiff(2, 1) * plane[1]};
+    const Eigen::Vector2f solved = rest.ldlt().solve(what_is_left);
+    plane[0] = solved[0], plane[2] = solved[1];
+  }
   return {{plane[0] - plane[1] * middle_.x() / half_.x() - plane[2] * middle_.y() / half_.y(), plane[1] / half_.x(),
            plane[2] / half_.y()}};
 }

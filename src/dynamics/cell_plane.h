@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 #include "dynamics/depth_cells.h"
 
@@ -33,9 +34,10 @@ class CellPlaneFit {
   /// The sum of the weights.
   float weight() const { return squares_(0, 0); }
 
-  /// The plane; `stiffness`, a share of the weight, holds it upright where little says how it is tilted. Only after
+  /// The plane; `stiffness`, a share of the weight, holds it upright where little says how it is tilted. From one
+  /// column to the next its inverse depth changes by no more than `most_turned` of that in the middle. Only after
   /// something was added.
-  CellPlane Solve(float stiffness) const;
+  CellPlane Solve(float stiffness, float most_turned = std::numeric_limits<float>::infinity()) const;
 
  private:
   Eigen::Vector2f middle_, half_;

@@ -50,5 +50,21 @@ TEST(CellPlaneFit, OneRowAloneSaysNothingOfHowItLeans) {
   EXPECT_EQ(fit.weight(), 8);
 }
 
+TEST(CellPlaneFit, ASteepPlaneIsTurnedNoFurtherThanAllowed) {
+  const CellRange range{40, 20, 60, 50};
+  CellPlaneFit fit(range);
+  for (int row = range.top; row < range.bottom; ++row) {
+    for (int column = range.left; column < range.right; ++column) {
+      const float across = static_cast<float>(column) - 49.5f, along = static_cast<float>(row) - 34.5f;
+      fit.Add(column, row, 1 / (0.5f + 0.01f * across + 0.002f * along));
+    }
+  }
+  const CellPlane free = fit.Solve(0, 0.03f), held = fit.Solve(0, 0.01f);
+  EXPECT_NEAR(free.inverse_depth[1], 0.01, 1e-4) << "less than the limit";
+  EXPECT_NEAR(held.inverse_depth[1], 0.005, 1e-4);
+  EXPECT_NEAR(held.inverse_depth[2], 0.002, 1e-4) << "the other way it leans as it did";
+  EXPECT_NEAR(held.InverseDepthAt(50, 35), 0.5 + 0.0025 + 0.001, 1e-3);
+}
+
 }  // namespace
 }  // namespace yorb

@@ -152,7 +152,8 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ce
     const BodySearch search{depth, mask, seen};
     std::vector<BodySign> signs;
     BoxTrack& track = TakeNext(open, search, now, signs);
-    if (LiesInAWall(search, track.at.box)) continue;  // a poster: however sure the detector is
+    // A poster, however sure the detector is; but who stood free before has only come near the wall.
+    if (!track.body && LiesInAWall(search, track.at.box)) continue;
     const auto found = FindBodyOf(track, search, signs, now);
     if (found) {
       const CellMask before = mask;

@@ -220,6 +220,18 @@ TEST(Remover, APosterOfSomebodyIsKeptHoweverSureTheDetectorIs) {
   EXPECT_EQ(std::count(verdicts.begin(), verdicts.end(), Verdict::kDynamic), 0);
 }
 
+TEST(Remover, WhoStoodFreeAndComesToAWallIsNoPoster) {
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  const std::vector<Keypoint> points = Points();
+  for (int i = 0; i < 8; ++i) {
+    Scene scene = MakeScene(std::min(2.1 + 0.15 * i, 2.7), false);
+    if (i > 4) scene.images.depth.pixels.setTo(static_cast<uint16_t>(3 / kMetresPerUnit));  // as flat as the wall
+    scene.images.timestamp = {i * 100000000};
+    const MovingAreas areas = remover.Look(scene.images, {{true, {scene.box}}, scene.images.timestamp});
+    EXPECT_GT(SharesOf(scene, points, areas.Judge(points)).dynamic_removed, 0.95) << i;
+  }
+}
+
 TEST(Remover, WhoWasInViewAMomentAgoIsStillThereBesideAPanelAsFarAway) {
   Scene scene = MakeScene(1.4, false);
   Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2, 0.25);
