@@ -226,13 +226,13 @@ TEST(River, WallsCarryOnForSomeFramesWithoutAPoint) {
   Random random(1);
   const DepthGridMaker maker(world.rig());
   River river;
-  for (int k = 0; k < 24; ++k) {
-    const bool is_dark = k >= 10 && k < 13, is_long_dark = k >= 16 && k < 20;
+  for (int k = 0; k < 26; ++k) {
+    const bool is_dark = k >= 8 && k < 13, is_long_dark = k >= 16 && k < 22;
     const SyntheticWorld& seen = is_dark || is_long_dark ? dark : world;
     const DepthGrid grid = maker.Make(LookAtBoxes(world.rig(), PoseAt(k), walls, random).depth);
     const FrameRecord record =
         river.Push(seen.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame, {grid, {}});
-    if (k == 19) {
+    if (k == 21) {
       EXPECT_NE(record.state, TrackingState::kTracking) << "not for long";
       continue;
     }
@@ -245,15 +245,15 @@ TEST(River, WallsCarryOnForSomeFramesWithoutAPoint) {
   }
 }
 
-TEST(River, MotionCarriesOnForOneFrameWherePeopleHideAll) {
+TEST(River, MotionCarriesOnForThreeFramesWherePeopleHideAll) {
   const SyntheticWorld world(19, Noisy()), dark(13, [] {
     SyntheticWorldOptions options;
     options.num_points = 0;
     return options;
   }());
   River river;
-  for (int k = 0; k < 24; ++k) {
-    const bool is_hidden = k == 10 || k == 14 || k == 15, is_dark = k == 20;
+  for (int k = 0; k < 26; ++k) {
+    const bool is_hidden = k == 8 || (k >= 12 && k < 16), is_dark = k == 22;
     const SyntheticWorld& seen = is_hidden || is_dark ? dark : world;
     const FrameRecord record = river.Push(seen.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame,
                                           {{}, {}, is_hidden ? 0.8 : 0.1});
@@ -266,6 +266,27 @@ TEST(River, MotionCarriesOnForOneFrameWherePeopleHideAll) {
     if (!is_hidden) continue;
     EXPECT_EQ(record.num_inliers, 0);
     EXPECT_FALSE(record.is_keyframe);
+  }
+}
+
+TEST(River, AfterFramesWithoutAPointAFewProveNothing) {
+  const SyntheticWorld world(19, Noisy());
+  const auto few_of = [](const FramePtr& frame) {
+    constexpr size_t kFew = 24;
+    std::vector<bool> left_out(frame->size());
+    for (size_t i = 0; i < left_out.size(); ++i) left_out[i] = i % (frame->size() / kFew) != 0;
+    return WithoutRows(frame, left_out);
+  };
+  for (const bool was_hidden : {false, true}) {
+    River river;
+    FrameRecord record;
+    for (int k = 0; k < 12; ++k) {
+      FramePtr frame = world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame;
+      if (k == 10 && was_hidden) frame = WithoutRows(frame, std::vector<bool>(frame->size(), true));
+      record = river.Push(k == 11 ? few_of(frame) : frame, {{}, {}, k >= 10 ? 0.8 : 0.1});
+    }
+    EXPECT_EQ(record.state, TrackingState::kTracking);
+    EXPECT_EQ(record.num_inliers > 0, !was_hidden);
   }
 }
 

@@ -14,8 +14,10 @@ bool Tracker::IsConfirmed(const Frame& frame, const Map& map, const Fix& fix) co
   constexpr double kWarySeconds = 1.0;
   const bool is_wary = was_lost_ && SecondsBetween(lost_since_, frame.timestamp) < kWarySeconds;
   int needed = is_wary ? options_.min_inliers_after_loss : options_.min_inliers;
-  // Where people hide the view, a few points say enough, if they agree and the camera goes on as it did.
-  if (IsConvincing(fix) && GoesOn(frame, map, fix)) needed = options_.min_inliers_going_on;
+  // Where people hide the view, a few points say enough, if they agree and the camera goes on as it did; as it was last
+  // seen to, for of what was only expected that proves nothing.
+  const bool was_sighted = last_.num_blind == 0;
+  if (was_sighted && IsConvincing(fix) && GoesOn(frame, map, fix)) needed = options_.min_inliers_going_on;
   // Without a mapper that takes in what is new, points of the frame before lead away from the map unnoticed.
   const size_t num_inliers = task_.only_locates ? fix.num_inliers : fix.num_in_all();
   return num_inliers >= static_cast<size_t>(needed) && fix.cam_from_world.IsFinite();

@@ -68,19 +68,20 @@ std::optional<Fix> Tracker::TrackFromSurfaces(const Frame& frame, const Map& map
 }
 
 /// Where hardly a point is left, walls and floors may carry on alone for some frames, if the camera goes on as it did.
-/// Where they say nothing, and moving things hide much of the picture, its motion alone may, for one, if it was steady:
-/// a step unlike the one before may have been that of someone who filled the picture.
+/// Where they say nothing, and moving things hide much of the picture, its motion alone may, for a few steps as long as
+/// those that it was seen in, if it was steady: a step unlike the one before may have been that of someone who filled
+/// the picture.
 std::optional<Fix> Tracker::TrackBlindly(const Frame& frame, const Map& map) const {
-  constexpr int kMostInARow = 3;
+  constexpr int kMostOnSurfaces = 5, kMostByMotion = 3;  // frames in a row
   constexpr double kMuchHidden = 0.3;
-  if (task_.only_locates || last_.num_blind >= kMostInARow) return std::nullopt;
+  if (task_.only_locates || last_.num_blind >= kMostOnSurfaces) return std::nullopt;
   Fix fix;
   fix.matches.resize(frame.size());
   if (const auto pose = PoseOnSurfaces(frame, map)) {
     fix.cam_from_world = *pose;
     if (GoesOn(frame, map, fix)) return fix;
   }
-  if (last_.num_blind > 0 || sight_.hidden < kMuchHidden || !motion_.IsSteady(kEase)) return std::nullopt;
+  if (last_.num_blind >= kMostByMotion || sight_.hidden < kMuchHidden || !motion_.IsSteady(kEase)) return std::nullopt;
   fix.cam_from_world = PredictedPose(frame, map);
   return fix;
 }
