@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <opencv2/core.hpp>
 #include <optional>
 
 #include "core/log.h"
@@ -50,7 +51,7 @@ std::string MaskOf(const MaskFolder& masks, const Dataset& source, size_t i) {
   return by_time == masks.by_time.end() ? std::string() : by_time->second;
 }
 
-/// Not 0 where any channel of the mask is not.
+/// Not 0 where any colour of the mask is not: a palette counts by its colours, as a viewer shows it.
 cv::Mat ToMask(const cv::Mat& stored) {
   cv::Mat any(stored.size(), CV_8UC1, cv::Scalar(0));
   const size_t bytes = stored.elemSize();
@@ -65,6 +66,29 @@ cv::Mat ToMask(const cv::Mat& stored) {
   return any;
 }
 
+/// Whether a mask that is black all over differs in its transparency: who drew it meant something by that.
+bool IsDrawnInTransparency(const cv::Mat& stored, const cv::Mat& mask) {
+  if (stored.channels() != 4 || cv::countNonZero(mask) > 0) return false;
+  cv::Mat transparency;
+  cv::extractChannel(stored, transparency, 3);
+  double least = 0, most = 0;
+  cv::minMaxLoc(transparency, &least, &most);
+  return least < most;
+}
+
+/// Masks of which none can be read are no masks; the first one that can be ends the search.
+Status CheckAnyIsReadable(const std::vector<std::string>& files, const std::string& masks) {
+  std::string first_fault;
+  for (const std::string& file : files) {
+    if (file.empty()) continue;
+    const std::string fault = ReadPictureFile(file).fault;
+    if (fault.empty()) return Status::Ok();
+    if (first_fault.empty()) first_fault = file + " " + fault;
+    if (file == masks) break;  // one for all frames
+  }
+  return BadInput("--masks: " + first_fault + (fs::is_directory(masks) ? ", and no other mask can be read" : ""));
+}
+
 }  // namespace
 
 Result<std::unique_ptr<MaskedDataset>> MaskedDataset::Open(const Dataset& source, const std::string& masks) {
@@ -72,6 +96,7 @@ Result<std::unique_ptr<MaskedDataset>> MaskedDataset::Open(const Dataset& source
   std::error_code ignored;
   if (fs::is_regular_file(masks, ignored)) {
     masked->files_.assign(source.size(), masks);
+    if (const Status readable = CheckAnyIsReadable({masks}, masks); !readable) return readable.error();
     return masked;
   }
   if (!fs::is_directory(masks, ignored)) return BadInput("--masks: there is no file or folder " + masks);
@@ -90,6 +115,7 @@ Result<std::unique_ptr<MaskedDataset>> MaskedDataset::Open(const Dataset& source
     LogWarning("masks-missing", std::to_string(num_without) + " of " + std::to_string(source.size()) +
                                     " pictures have no mask in " + masks + " and are used as a whole");
   }
+  if (const Status readable = CheckAnyIsReadable(masked->files_, masks); !readable) return readable.error();
   return masked;
 }
 
@@ -97,12 +123,21 @@ Result<LoadedFrame> MaskedDataset::Load(size_t i) const {
   auto frame = source_.Load(i);
   if (!frame || !frame->images || files_[i].empty()) return frame;
   const StoredPicture stored = ReadPictureFile(files_[i]);
-  if (!stored.fault.empty()) return BadInput("the mask " + files_[i] + " " + stored.fault);
+  if (!stored.fault.empty()) {
+    LogWarning("mask-skipped", "the mask " + files_[i] + " " + stored.fault + "; its frame is used as a whole");
+    ++frame->num_skipped;
+    return frame;
+  }
   if (stored.pixels.size() != frame->images->grey.size()) {
     return BadInput("the mask " + files_[i] + " is " + SizeText(stored.pixels.size()) + ", its picture is " +
                     SizeText(frame->images->grey.size()));
   }
   frame->images->ignored = ToMask(stored.pixels);
+  if (IsDrawnInTransparency(stored.pixels, frame->images->ignored)) {
+    LogWarning("mask-transparent", "the mask " + files_[i] +
+                                       " is black all over, its transparency is not looked at: nothing is masked; save "
+                                       "it as grey, white where the picture is not to be used");
+  }
   return frame;
 }
 

@@ -75,6 +75,61 @@ TEST_F(MaskedDatasetTest, OneFileServesAllFrames) {
   EXPECT_EQ(cv::countNonZero((*masked)->Load(1)->images->ignored), 20 * 30);
 }
 
+TEST_F(MaskedDatasetTest, AMaskThatCannotBeReadLeavesItsFrameWhole) {
+  WriteMask("picture0.png", LeftHalf());
+  WriteMask("picture1.png", LeftHalf());
+  const std::string whole = folder_.Read("picture1.png");
+  folder_.Write("picture1.png", whole.substr(0, whole.size() / 2));
+  const auto masked = MaskedDataset::Open(source_, folder_.Path(""));
+  ASSERT_TRUE(masked.ok()) << masked.error().message;
+  EXPECT_EQ((*masked)->Load(0)->num_skipped, 0);
+  testing::internal::CaptureStderr();
+  const auto frame = (*masked)->Load(1);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("picture1.png is cut short"));
+  ASSERT_TRUE(frame.ok());
+  ASSERT_TRUE(frame->images);
+  EXPECT_TRUE(frame->images->ignored.empty());
+  EXPECT_EQ(frame->num_skipped, 1);
+}
+
+TEST_F(MaskedDatasetTest, MasksOfWhichNoneCanBeReadAreRefused) {
+  folder_.Write("picture0.png", "version https://git-lfs.github.com/spec/v1");
+  folder_.Write("picture1.png", "");
+  for (const char* name : {"", "picture0.png"})
+    EXPECT_THAT(MaskedDataset::Open(source_, folder_.Path(name)).error().message, HasSubstr("LFS")) << name;
+}
+
+TEST_F(MaskedDatasetTest, TransparencyDoesNotMask) {
+  cv::Mat drawn(30, 40, CV_8UC4, cv::Scalar(0, 0, 0, 255)), in_transparency(30, 40, CV_8UC4, cv::Scalar::all(0));
+  drawn.colRange(0, 20).setTo(cv::Scalar(0, 0, 9, 255));
+  in_transparency.colRange(0, 20).setTo(cv::Scalar(0, 0, 0, 255));
+  WriteMask("picture0.png", drawn);
+  WriteMask("picture1.png", in_transparency);
+  const auto masked = MaskedDataset::Open(source_, folder_.Path(""));
+  ASSERT_TRUE(masked.ok()) << masked.error().message;
+  EXPECT_EQ(cv::countNonZero((*masked)->Load(0)->images->ignored), 20 * 30);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(cv::countNonZero((*masked)->Load(1)->images->ignored), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("picture1.png is black all over"));
+}
+
+TEST_F(MaskedDatasetTest, APaletteCountsByItsColours) {
+  // 40 x 30, one bit a pixel: the left half 0, the right half 1; 0 is dark red and 1 black, as quantisers may have it.
+  const unsigned char png[] = {
+      0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00,
+      0x00, 0x28, 0x00, 0x00, 0x00, 0x1e, 0x01, 0x03, 0x00, 0x00, 0x00, 0x64, 0x13, 0xce, 0x9e, 0x00, 0x00, 0x00,
+      0x06, 0x50, 0x4c, 0x54, 0x45, 0x28, 0x00, 0x00, 0x00, 0x00, 0x00, 0x4e, 0x98, 0x3e, 0x94, 0x00, 0x00, 0x00,
+      0x01, 0x74, 0x52, 0x4e, 0x53, 0x00, 0x40, 0xe6, 0xd8, 0x66, 0x00, 0x00, 0x00, 0x11, 0x49, 0x44, 0x41, 0x54,
+      0x78, 0xda, 0x63, 0x60, 0x60, 0xe0, 0xff, 0xff, 0x9f, 0x61, 0x48, 0x91, 0x00, 0x49, 0x65, 0x3d, 0x87, 0xe8,
+      0x04, 0x6e, 0x4a, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  folder_.Write("palette.png", std::string(reinterpret_cast<const char*>(png), sizeof(png)));
+  const auto masked = MaskedDataset::Open(source_, folder_.Path("palette.png"));
+  ASSERT_TRUE(masked.ok()) << masked.error().message;
+  const cv::Mat ignored = (*masked)->Load(0)->images->ignored;
+  EXPECT_EQ(cv::countNonZero(ignored), 20 * 30);
+  EXPECT_NE(ignored.at<uint8_t>(3, 3), 0);
+}
+
 TEST_F(MaskedDatasetTest, WhatCannotBeUsedIsRefused) {
   EXPECT_THAT(MaskedDataset::Open(source_, folder_.Path("nowhere")).error().message, HasSubstr("no file or folder"));
   WriteMask("other.png", LeftHalf());

@@ -24,7 +24,7 @@ enum class Fate : unsigned char {
 struct FeedLog {
   std::vector<Fate> fates;      ///< one a colour picture, in the order of the list, as far as it was read
   std::vector<double> read_ms;  ///< time to read and decode the pictures of a frame
-  size_t num_skipped = 0;       ///< colour and depth pictures that could not be decoded whole
+  size_t num_skipped = 0;       ///< colour and depth pictures and masks that could not be decoded whole
   bool had_depth = false;       ///< in at least one frame
   bool was_stopped = false;     ///< should_stop said so
   std::optional<Error> error;   ///< why the run could not go on
