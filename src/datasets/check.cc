@@ -33,6 +33,12 @@ std::string CountOfUnreadable(size_t count, size_t of, const std::string& first)
   return std::to_string(count) + " of the " + std::to_string(of) + " looked into cannot be read, the first: " + first;
 }
 
+Status CheckColour(const TumLists& lists, size_t i, const cv::Mat& stored) {
+  if (Status no_depth = CheckIsNoDepth(lists, i, stored); !no_depth) return no_depth;
+  const auto usable = ToColourAndGrey(stored, lists.colour.pictures[i].path);
+  return usable ? Status::Ok() : Status(usable.error());
+}
+
 ListFacts FactsOf(const PictureList& list) {
   ListFacts facts;
   const auto times = list.Times();
@@ -172,8 +178,10 @@ void Examiner::ReportPictures() {
       if (++check_.num_unreadable == 1) first_fault = pictures[i].path + " " + stored.fault;
       continue;
     }
-    const auto usable = ToColourAndGrey(stored.pixels, pictures[i].path);
-    if (!usable) is_fine = false, Add(Level::kError, "pictures", usable.error().message);
+    if (const Status usable = CheckColour(*lists_, i, stored.pixels); !usable) {
+      if (is_fine) Add(Level::kError, "pictures", usable.error().message);
+      is_fine = false;
+    }
     if (size && stored.pixels.size() != *size) {
       is_fine = false;
       Add(Level::kError, "pictures",

@@ -153,6 +153,7 @@ Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const Ch
   if (const Status files = LookForFiles(*lists); !files) return files.error();
   const auto first = ReadFirstPicture(lists->colour.pictures);
   if (!first) return first.error();
+  if (const Status no_depth = CheckIsNoDepth(*lists, first->index, first->pixels); !no_depth) return no_depth.error();
   const auto usable = ToColourAndGrey(first->pixels, lists->colour.pictures[first->index].path);
   if (!usable) return usable.error();
   auto rig = FitChosenCamera(chosen, first->pixels.cols, first->pixels.rows);
@@ -167,7 +168,12 @@ Result<std::unique_ptr<Dataset>> OpenDataset(const std::string& folder, const Ch
   LogInfo(folder + ": " + std::to_string(lists->depth_of.size()) + " colour pictures of " +
           SizeText(first->pixels.size()) + (step > 0 ? " at " + FormatFixed(1 / step, 1) + " Hz" : "") + ", " +
           std::to_string(lists->NumWithDepth()) + " with depth; camera " + rig->name + " (" + chosen.how + ")");
-  return MakeTumDataset(std::move(*lists), std::move(*rig));
+  const int colour_bits = first->pixels.depth() == CV_16U ? UsedBits(lists->colour) : 16;
+  if (colour_bits < 16) {
+    LogInfo(folder + ": of the 16 bits of a pixel the colour pictures use " + std::to_string(colour_bits) +
+            ", which are scaled to 8");
+  }
+  return MakeTumDataset(std::move(*lists), std::move(*rig), colour_bits);
 }
 
 }  // namespace yorb

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/log.h"
+#include "core/text.h"
 #include "datasets/associate.h"
 #include "datasets/associations.h"
 #include "datasets/depth_watch.h"
@@ -98,6 +99,21 @@ Result<TumLists> FromTwoLists(const std::string& folder) {
   return lists;
 }
 
+/// Whether the file or its folder is called depth, and not "rgb_in_depth" or so.
+bool IsNamedDepth(const std::string& name) {
+  const fs::path path = name;
+  for (const fs::path& part : {path.parent_path().filename(), path.filename()}) {
+    const std::string word = LowerCase(part.string());
+    const auto speaks_of = [&](const char* what) { return word.find(what) != std::string::npos; };
+    const bool is_other = speaks_of("rgb") || speaks_of("colo") || speaks_of("infra") || speaks_of("ir_") ||
+                          speaks_of("_ir") || speaks_of("grey") || speaks_of("gray");
+    if (speaks_of("depth") && !is_other) return true;
+  }
+  return false;
+}
+
+bool IsColour(const cv::Mat& pixels) { return !pixels.empty() && pixels.channels() >= 3; }
+
 /// A picture of the same name with another ending, as conversions leave them: for the complaint.
 std::string WithAnotherEnding(const std::string& path) {
   for (const char* ending : {".png", ".jpg", ".jpeg", ".tiff", ".tif", ".pgm", ".bmp"}) {
@@ -109,7 +125,8 @@ std::string WithAnotherEnding(const std::string& path) {
 
 class TumDataset : public Dataset {
  public:
-  TumDataset(TumLists lists, Rig rig) : lists_(std::move(lists)), rig_(std::move(rig)) {}
+  TumDataset(TumLists lists, Rig rig, int colour_bits)
+      : lists_(std::move(lists)), rig_(std::move(rig)), colour_bits_(colour_bits) {}
 
   size_t size() const override { return lists_.colour.pictures.size(); }
   Timestamp TimeOf(size_t i) const override { return lists_.colour.pictures[i].time; }
@@ -122,6 +139,7 @@ class TumDataset : public Dataset {
 
   TumLists lists_;
   Rig rig_;
+  int colour_bits_;
 };
 
 Result<LoadedFrame> TumDataset::Load(size_t i) const {
@@ -133,7 +151,7 @@ Result<LoadedFrame> TumDataset::Load(size_t i) const {
     frame.num_skipped = 1;
     return frame;
   }
-  auto picture = ToColourAndGrey(stored.pixels, listed.path);
+  auto picture = ToColourAndGrey(stored.pixels, listed.path, colour_bits_);
   if (!picture) return picture.error();
   const cv::Size size(rig_.camera.width, rig_.camera.height);
   if (picture->grey.size() != size) {
@@ -249,8 +267,39 @@ Result<FirstPicture> ReadFirstPicture(const std::vector<ListedPicture>& pictures
   return BadInput("none of the " + std::to_string(pictures.size()) + " pictures can be read: " + first_fault);
 }
 
-std::unique_ptr<Dataset> MakeTumDataset(TumLists lists, Rig rig) {
-  return std::make_unique<TumDataset>(std::move(lists), std::move(rig));
+Status CheckIsNoDepth(const TumLists& lists, size_t i, const cv::Mat& stored) {
+  if (stored.type() != CV_16UC1 && stored.type() != CV_32FC1) return Status::Ok();
+  const ListedPicture& colour = lists.colour.pictures[i];
+  const int index = lists.depth_of[i];
+  const ListedPicture* depth = index < 0 ? nullptr : &lists.depth.pictures[static_cast<size_t>(index)];
+  std::string reason;
+  if (depth != nullptr && depth->path == colour.path) {
+    reason = "it is named as depth, too";
+  } else if (depth != nullptr && IsColour(ReadPictureFile(depth->path).pixels)) {
+    reason = depth->path + ", which is named as its depth, is in colour";
+  } else if (IsNamedDepth(colour.name)) {
+    reason = "its name says so";
+  }
+  if (reason.empty()) return Status::Ok();
+  return BadInput(colour.path + " (" + lists.colour.file + ", line " + std::to_string(colour.line) +
+                  ") is a depth picture that is named as colour: " + reason +
+                  "; are the two lists or columns swapped?");
+}
+
+int UsedBits(const PictureList& colour) {
+  constexpr size_t kSamples = 10;
+  const size_t count = colour.pictures.size(), num_samples = std::min(kSamples, count);
+  int bits = 0;
+  for (size_t k = 0; k < num_samples; ++k) {
+    const cv::Mat pixels = ReadPictureFile(colour.pictures[k * count / num_samples].path).pixels;
+    if (!pixels.empty() && pixels.depth() != CV_16U) return 16;
+    if (!pixels.empty()) bits = std::max(bits, UsedBits(pixels));
+  }
+  return bits == 0 ? 16 : bits;
+}
+
+std::unique_ptr<Dataset> MakeTumDataset(TumLists lists, Rig rig, int colour_bits) {
+  return std::make_unique<TumDataset>(std::move(lists), std::move(rig), colour_bits);
 }
 
 }  // namespace yorb

@@ -49,10 +49,17 @@ struct FirstPicture {
 };
 Result<FirstPicture> ReadFirstPicture(const std::vector<ListedPicture>& pictures);
 
+/// Bad input where the colour picture of frame i is a depth picture that a list names as colour: 16-bit grey that is
+/// named as depth, serves as depth, too, or has a colour picture for its depth.
+Status CheckIsNoDepth(const TumLists& lists, size_t i, const cv::Mat& stored);
+
+/// How many bits 16-bit colour pictures use, by a sample, so that all are scaled alike; 16 where they are 8-bit.
+int UsedBits(const PictureList& colour);
+
 /// What to say where a 16-bit depth picture meets a camera without a depth factor.
 Error UnknownDepthFactor(const Rig& rig, const std::string& picture);
 
-/// Makes the dataset. `rig` must fit the pictures.
-std::unique_ptr<Dataset> MakeTumDataset(TumLists lists, Rig rig);
+/// Makes the dataset. `rig` must fit the pictures; of 16-bit colour pictures so many bits count.
+std::unique_ptr<Dataset> MakeTumDataset(TumLists lists, Rig rig, int colour_bits = 16);
 
 }  // namespace yorb

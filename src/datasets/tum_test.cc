@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <thread>
 
+#include "datasets/check.h"
 #include "datasets/depth_watch.h"
 #include "datasets/open_dataset.h"
 #include "datasets/test_recording.h"
@@ -261,6 +262,41 @@ TEST(RealRecording, OpensWithAllItsPairs) {
   EXPECT_EQ(frame->images->depth.pixels.type(), CV_16UC1);
   EXPECT_GT(frame->depth.median_m, 0.4);
   EXPECT_LT(frame->depth.median_m, 3);
+}
+
+TEST(OpenDataset, DepthThatIsNamedAsColourIsRefused) {
+  const TestFolder folder;
+  WriteRecording(folder, "room", 3);
+  const std::string rgb = folder.Read("room/rgb.txt"), depth = folder.Read("room/depth.txt");
+  folder.WritePicture("room/x/0.png", TestDepth());
+  const std::pair<std::string, std::string> lists[] = {
+      {depth, rgb},                          // swapped
+      {depth, depth},                        // named twice
+      {Stamp(0) + " depth/1.png\n", depth},  // another one, in a folder of depth
+      {Stamp(0) + " x/0.png\n", rgb},        // unnamed, beside colour as its depth
+  };
+  for (const auto& [colour_list, depth_list] : lists) {
+    folder.Write("room/rgb.txt", colour_list);
+    folder.Write("room/depth.txt", depth_list);
+    const auto opened = OpenDataset(folder.Path("room"), "");
+    ASSERT_FALSE(opened) << colour_list;
+    EXPECT_THAT(opened.error().message, HasSubstr("is a depth picture that is named as colour"));
+    EXPECT_THAT(opened.error().message, HasSubstr("rgb.txt, line"));
+    EXPECT_FALSE(CheckSequence(folder.Path("room"), "").is_usable());
+  }
+}
+
+TEST(OpenDataset, InfraredPicturesOfFewBitsAreScaledAlike) {
+  const TestFolder folder;
+  WriteRecording(folder, "room", 2);
+  folder.Write("room/rgb.txt", Stamp(0) + " ir_in_depth/0.png\n" + Stamp(1) + " ir_in_depth/1.png\n");
+  const cv::Mat bright(kTestHeight, kTestWidth, CV_16UC1, cv::Scalar(1023)), dark = bright / 8;
+  folder.WritePicture("room/ir_in_depth/0.png", dark);
+  folder.WritePicture("room/ir_in_depth/1.png", bright);
+  const auto opened = OpenDataset(folder.Path("room"), "");
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ((*opened)->Load(0)->images->grey.at<uint8_t>(5, 5), 32);
+  EXPECT_EQ((*opened)->Load(1)->images->grey.at<uint8_t>(5, 5), 255);
 }
 
 }  // namespace

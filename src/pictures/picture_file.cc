@@ -130,9 +130,26 @@ Result<std::string> EncodePictureFor(const std::string& path, const cv::Mat& pic
   return bytes;
 }
 
-Result<ColourAndGrey> ToColourAndGrey(const cv::Mat& stored, const std::string& path) {
+int UsedBits(const cv::Mat& stored) {
+  const int channels = stored.channels(), num_used = channels == 4 ? 3 : channels;
+  unsigned all = 0;
+  for (int y = 0; y < stored.rows; ++y) {
+    const auto* row = stored.ptr<uint16_t>(y);
+    for (int x = 0; x < stored.cols; ++x) {
+      for (int k = 0; k < num_used; ++k) all |= row[x * channels + k];
+    }
+  }
+  int bits = 8;
+  while (all >> bits != 0) bits += 2;
+  return bits;
+}
+
+Result<ColourAndGrey> ToColourAndGrey(const cv::Mat& stored, const std::string& path, std::optional<int> bits) {
   cv::Mat bytes = stored;
-  if (stored.depth() == CV_16U) stored.convertTo(bytes, CV_8U, 255.0 / 65535.0);
+  if (stored.depth() == CV_16U) {
+    const int used = bits ? *bits : UsedBits(stored);
+    stored.convertTo(bytes, CV_8U, 255.0 / ((1 << used) - 1));
+  }
   ColourAndGrey picture;
   if (bytes.type() == CV_8UC1) {
     picture.grey = bytes;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 
 #include "core/result.h"
@@ -37,8 +38,12 @@ struct ColourAndGrey {
   cv::Mat grey;    ///< CV_8UC1
 };
 
-/// 8-bit or 16-bit grey, colour, or colour with transparency; 16 bits are scaled to 8. Bad input for anything else.
-Result<ColourAndGrey> ToColourAndGrey(const cv::Mat& stored, const std::string& path);
+/// How many bits the values of a 16-bit picture take, transparency apart: 8, 10, 12, 14 or 16, as sensors have them.
+int UsedBits(const cv::Mat& stored);
+
+/// 8-bit or 16-bit grey, colour, or colour with transparency; of 16-bit pictures so many bits are scaled to 8, or as
+/// many as the picture itself uses. Bad input for anything else.
+Result<ColourAndGrey> ToColourAndGrey(const cv::Mat& stored, const std::string& path, std::optional<int> bits = {});
 
 /// Bad input unless this is depth: 16-bit or 32-bit float with one channel, of the size of the colour picture.
 Status CheckDepth(const cv::Mat& stored, const cv::Size& colour_size, const std::string& path);

@@ -169,6 +169,26 @@ TEST(ColourAndGrey, EveryUsualKindIsTheSamePicture) {
   EXPECT_THAT(floats.error().message, HasSubstr("a.tiff"));
 }
 
+TEST(ColourAndGrey, SixteenBitsOfWhichASensorUsesFewerAreNoBlackPicture) {
+  const cv::Mat bgr = TestColour(3);
+  cv::Mat grey;
+  cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+  grey.at<uint8_t>(0, 0) = 255;
+  for (const int bits : {8, 10, 12, 14, 16}) {
+    const double scale = ((1 << bits) - 1) / 255.0;
+    cv::Mat stored, colour, transparent;
+    grey.convertTo(stored, CV_16U, scale);
+    bgr.convertTo(colour, CV_16U, scale);
+    cv::cvtColor(colour, transparent, cv::COLOR_BGR2BGRA);  // opaque: 65535
+    EXPECT_EQ(UsedBits(stored), bits);
+    EXPECT_EQ(UsedBits(transparent), bits);
+    EXPECT_LE(cv::norm(ToColourAndGrey(stored, "a.png")->grey, grey, cv::NORM_INF), 1) << bits;
+    EXPECT_LE(cv::norm(ToColourAndGrey(transparent, "a.png")->colour, bgr, cv::NORM_INF), 1) << bits;
+  }
+  const cv::Mat dark(4, 4, CV_16UC1, cv::Scalar(512));
+  EXPECT_EQ(ToColourAndGrey(dark, "a.png", 12)->grey.at<uint8_t>(0, 0), 32) << "as the other pictures of its recording";
+}
+
 TEST(Depth, OnlyDepthOfTheColourPicturesSizeIsTaken) {
   EXPECT_TRUE(CheckDepth(cv::Mat(4, 6, CV_16UC1), {6, 4}, "d.png").ok());
   EXPECT_TRUE(CheckDepth(cv::Mat(4, 6, CV_32FC1), {6, 4}, "d.png").ok());
