@@ -45,6 +45,16 @@ bool CropToRegion(KeyReader& reader, Pinhole& camera) {
   return true;
 }
 
+/// VINS's words for our readout_s, which wins.
+void ReadVinsShutter(KeyReader& reader, Rig& rig) {
+  const KeyTable& table = reader.table();
+  if (table.Has("readout_s") || reader.Number("rolling_shutter", 0) == 0) return;
+  if (!table.Has("rolling_shutter_tr"))
+    return reader.Refuse("rolling_shutter",
+                         "is set, and rolling_shutter_tr (seconds from the first row to the last) is not");
+  ReadShutter(reader, rig, "rolling_shutter_tr");
+}
+
 }  // namespace
 
 bool IsMatrixCalibration(const KeyTable& table) {
@@ -145,6 +155,7 @@ Rig ReadCamodocal(KeyReader& reader) {
   ReadSingleDistortion(reader, lens, camera);
   CheckPinhole(reader, camera, keys);
   ReadDepthKeys(reader, rig);
+  ReadVinsShutter(reader, rig);
   rig.name = reader.Word("camera_name", "");
   return rig;
 }

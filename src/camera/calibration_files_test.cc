@@ -103,6 +103,21 @@ TEST(CalibrationFile, CamodocalAsVinsHasIt) {
               HasSubstr("cam0_calib"));
 }
 
+TEST(CalibrationFile, VinsSaysHowLongARollingShutterTakes) {
+  const std::string camera =
+      "%YAML:1.0\n---\nmodel_type: PINHOLE\nimage_width: 640\nimage_height: 480\n"
+      "distortion_parameters:\n   k1: .1\n   k2: -.2\n   p1: .003\n   p2: .004\n"
+      "projection_parameters:\n   fx: 525.5\n   fy: 526.5\n   cx: 319.25\n   cy: 239.75\n";
+  const auto readout = [&](const std::string& lines) { return ReadCalib(camera + lines).readout_s; };
+  EXPECT_EQ(readout("rolling_shutter: 1\nrolling_shutter_tr: 0.033\n"), 0.033);
+  EXPECT_EQ(readout("rolling_shutter: 0\nrolling_shutter_tr: 0.033\n"), 0);
+  EXPECT_EQ(readout("rolling_shutter_tr: 0.033\n"), 0);
+  EXPECT_EQ(readout("rolling_shutter: 1\nrolling_shutter_tr: 0.033\nreadout_s: 0.02\n"), 0.02);
+  EXPECT_THAT(CalibComplaint(camera + "rolling_shutter: 1\nrolling_shutter_tr: 33\n"),
+              HasSubstr("rolling_shutter_tr must be between"));
+  EXPECT_THAT(CalibComplaint(camera + "rolling_shutter: 1\n"), HasSubstr("rolling_shutter_tr"));
+}
+
 std::string RosMessageOfRegion(const std::string& region) {
   return "height: 960\nwidth: 1280\ndistortion_model: plumb_bob\nd: [.1, -.2, .003, .004, .5]\n"
          "k: [525.5, 0, 639.25, 0, 526.5, 479.75, 0, 0, 1]\nbinning_x: 0\nbinning_y: 0\nroi: {" +

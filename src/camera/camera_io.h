@@ -30,7 +30,7 @@ namespace yorb {
 // calibrations, Kalibr's camchain of one camera, EuRoC's sensor.yaml, VINS's pinhole cameras (camodocal). ROS's region
 // of interest is taken for the pictures' part of the whole picture. The calibration formats do not speak of depth:
 // depth_factor, baseline_*, close_factor, readout_s and fps may be added to them as top-level keys of the names above;
-// to ORB-SLAM's settings, too, but for fps.
+// to ORB-SLAM's settings, too, but for fps. VINS's rolling_shutter and rolling_shutter_tr are readout_s.
 //
 // A file that states no depth factor gives a rig with depth_factor 0, "not known", and one without a rate fps 0. No
 // default is taken for the depth factor, since a wrong one is a wrong scale: datasets refuses it when it meets a 16-bit

@@ -65,10 +65,10 @@ void ReadSingleDistortion(KeyReader& reader, const std::string& prefix, Pinhole&
   for (size_t i = 0; i < count; ++i) camera.distortion[i] = reader.Number(prefix + names[i]);
 }
 
-void ReadShutter(KeyReader& reader, Rig& rig) {
-  rig.readout_s = reader.Number("readout_s", 0);
+void ReadShutter(KeyReader& reader, Rig& rig, const std::string& key) {
+  rig.readout_s = reader.Number(key, 0);
   if (rig.readout_s < 0 || rig.readout_s > kLongestReadout) {
-    reader.Refuse("readout_s", "must be between 0 and " + FormatShortest(kLongestReadout) + " seconds");
+    reader.Refuse(key, "must be between 0 and " + FormatShortest(kLongestReadout) + " seconds");
   }
 }
 

@@ -42,8 +42,8 @@ void SetDistortion(KeyReader& reader, const std::string& key, const std::vector<
 /// k1 k2 p1 p2 k3 k4 k5 k6 as keys of their own; none of them means no distortion.
 void ReadSingleDistortion(KeyReader& reader, const std::string& prefix, Pinhole& camera);
 
-/// The one key about the shutter, of all formats: none of the others has a word for it.
-void ReadShutter(KeyReader& reader, Rig& rig);
+/// How long a rolling shutter takes: our key goes with all formats, since most of them have no word for it.
+void ReadShutter(KeyReader& reader, Rig& rig, const std::string& key = "readout_s");
 
 /// What our own format says about depth and time; the calibration formats may hold these keys too.
 void ReadDepthKeys(KeyReader& reader, Rig& rig);
