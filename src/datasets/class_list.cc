@@ -3,9 +3,7 @@
 // The lists of classes that sets of labelled pictures carry.
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "core/log.h"
@@ -19,42 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using Names = std::vector<std::string>;
-
-constexpr long long kMostClasses = 100000;
-
-struct NumberedName {
-  long long number;
-  std::string name;
-};
-
-/// "7 dining_table" or "7: dining_table"; nothing for a line that begins otherwise.
-std::optional<NumberedName> SplitNumber(const std::string& line) {
-  const size_t end = line.find_first_of(" \t:");
-  const auto number = ParseInteger(line.substr(0, end));
-  if (!number || end == std::string::npos) return std::nullopt;
-  return NumberedName{*number, std::string(Trim(line.substr(end + 1)))};
-}
-
-Result<Names> ReadClassesTxt(const std::string& path) {
-  const auto file = ReadTextFile(path);
-  if (!file) return file.error();
-  const bool is_numbered = std::all_of(file->lines.begin(), file->lines.end(),
-                                       [](const TextLine& line) { return SplitNumber(line.text).has_value(); });
-  Names names;
-  for (const TextLine& line : file->lines) {
-    const auto entry =
-        is_numbered ? *SplitNumber(line.text) : NumberedName{static_cast<long long>(names.size()), line.text};
-    const auto index = static_cast<size_t>(entry.number);
-    if (entry.number < 0 || entry.number >= kMostClasses)
-      return BadInput(file->Where(line) + ": the number of a class is out of range");
-    if (names.size() <= index) names.resize(index + 1);
-    if (!names[index].empty())
-      return BadInput(file->Where(line) + ": the number " + std::to_string(entry.number) + " stands here twice");
-    names[index] = entry.name;
-  }
-  if (names.empty()) return BadInput(path + " names no class");
-  return names;
-}
 
 Error BadYaml(const std::string& path, const YAML::Mark& mark, const std::string& fault) {
   return BadInput(path + (mark.is_null() ? "" : ", line " + std::to_string(mark.line + 1)) + ": " + fault);
@@ -71,7 +33,7 @@ Result<Names> NamesOf(const YAML::Node& list, const std::string& path) {
     if (!name.IsScalar()) return BadYaml(path, name.Mark(), "the name of a class must be a word");
     const auto number = list.IsMap() ? ParseInteger(entry.first.IsScalar() ? entry.first.Scalar() : "") : next++;
     if (!number) return BadYaml(path, name.Mark(), "a name of names has no number before it");
-    if (*number < 0 || *number >= kMostClasses)
+    if (*number < 0 || *number >= kMostListedClasses)
       return BadYaml(path, name.Mark(), "the number of a class is out of range");
     const auto index = static_cast<size_t>(*number);
     if (names.size() <= index) names.resize(index + 1);
@@ -90,7 +52,7 @@ Result<size_t> KeypointNumbersOf(const YAML::Node& shape, const std::string& pat
                                                                           : std::nullopt;
   };
   const auto points = number_at(0), numbers = number_at(1);
-  if (!points || !numbers || *points < 1 || *points > kMostClasses || *numbers < 2 || *numbers > 3)
+  if (!points || !numbers || *points < 1 || *points > kMostListedClasses || *numbers < 2 || *numbers > 3)
     return BadYaml(path, shape.Mark(), "kpt_shape must be [points, 2] or [points, 3]");
   return static_cast<size_t>(*points * *numbers);
 }
@@ -116,7 +78,7 @@ Result<LabelForm> ReadDataYaml(const std::string& path) {
 }
 
 Result<LabelForm> FormOfList(const std::string& path) {
-  auto names = ReadClassesTxt(path);
+  auto names = ReadClassList(path);
   if (!names) return names.error();
   return LabelForm{*std::move(names), 0};
 }

@@ -134,6 +134,30 @@ std::optional<std::vector<std::string>> ParseList(LiteralReader& reader, char en
   return names;
 }
 
+struct NumberedName {
+  long long number;
+  std::string name;
+};
+
+/// "7 dining_table" or "7: dining_table"; nothing for a line that begins otherwise, or ends there.
+std::optional<NumberedName> SplitNumber(const std::string& line) {
+  const size_t end = line.find_first_of(" \t:"), start = line.find_first_not_of(" \t:", end);
+  const auto number = ParseInteger(line.substr(0, end));
+  if (!number || start == std::string::npos) return std::nullopt;
+  return NumberedName{*number, line.substr(start)};
+}
+
+/// Without a 0 among them the numbers are parts of the names: "1 euro", "2 euro".
+bool AreNumbered(const std::vector<TextLine>& lines) {
+  bool has_zero = false;
+  for (const TextLine& line : lines) {
+    const auto entry = SplitNumber(line.text);
+    if (!entry) return false;
+    has_zero |= entry->number == 0;
+  }
+  return has_zero;
+}
+
 }  // namespace
 
 std::string FoldClassName(std::string_view name) {
@@ -173,6 +197,26 @@ std::optional<std::vector<std::string>> ParseClassNames(std::string_view text) {
     names = ParseList(reader, ')');
   }
   if (!names || names->empty() || !reader.is_at_end()) return std::nullopt;
+  return names;
+}
+
+Result<std::vector<std::string>> ReadClassList(const std::string& path) {
+  const auto file = ReadTextFile(path);
+  if (!file) return file.error();
+  const bool are_numbered = AreNumbered(file->lines);
+  std::vector<std::string> names;
+  for (const TextLine& line : file->lines) {
+    const auto entry =
+        are_numbered ? *SplitNumber(line.text) : NumberedName{static_cast<long long>(names.size()), line.text};
+    const auto index = static_cast<size_t>(entry.number);
+    if (entry.number < 0 || entry.number >= kMostListedClasses)
+      return BadInput(file->Where(line) + ": the number of a class is out of range");
+    if (names.size() <= index) names.resize(index + 1);
+    if (!names[index].empty())
+      return BadInput(file->Where(line) + ": the number " + std::to_string(entry.number) + " stands here twice");
+    names[index] = entry.name;
+  }
+  if (names.empty()) return BadInput(path + " names no class");
   return names;
 }
 

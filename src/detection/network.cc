@@ -65,30 +65,14 @@ struct Names {
   std::string source, file;
 };
 
-/// The names of lines that begin with the numbers of their classes from 0 on, "0 person" or "0: person"; otherwise the
-/// lines as they are.
-std::vector<std::string> NamesIn(const std::vector<TextLine>& lines) {
-  std::vector<std::string> plain, names(lines.size());
-  bool are_numbered = true;
-  for (const TextLine& line : lines) {
-    plain.push_back(line.text);
-    const size_t end = line.text.find_first_of(" \t:"), start = line.text.find_first_not_of(" \t:", end);
-    const auto number = ParseInteger(line.text.substr(0, end));
-    are_numbered &= start != std::string::npos && number && *number >= 0 &&
-                    *number < static_cast<long long>(lines.size()) && names[static_cast<size_t>(*number)].empty();
-    if (are_numbered) names[static_cast<size_t>(*number)] = line.text.substr(start);
-  }
-  return are_numbered ? names : plain;
-}
-
 /// The lines of a list of names beside the network: FILE.names, with FILE's ending or without.
 Result<Names> NamesBeside(const std::string& path) {
   for (const std::string& file : {path + ".names", std::filesystem::path(path).replace_extension(".names").string()}) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) continue;
-    const auto text = ReadTextFile(file);
-    if (!text) return text.error();
-    return Names{NamesIn(text->lines), file, file};
+    auto names = ReadClassList(file);
+    if (!names) return names.error();
+    return Names{*std::move(names), file, file};
   }
   return Names{};
 }

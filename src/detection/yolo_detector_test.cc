@@ -127,9 +127,12 @@ TEST(YoloDetector, NumbersOfClassesAreNoPartOfTheirNames) {
   const std::vector<std::string> wanted{"person", "paper cup"};
   for (const char* text : {"0 person\n1 paper cup\n", "0: person\n1: paper cup\n", "1\tpaper cup\n0\tperson\n"})
     EXPECT_EQ(names_in(text), wanted) << text;
-  for (const auto& [first, second] :
-       {std::pair("1 euro", "2 euro"), std::pair("0 person", "cup"), std::pair("0", "1"), std::pair("0 a", "0 b")})
+  for (const auto& [first, second] : {std::pair("1 euro", "2 euro"), std::pair("0 person", "cup"), std::pair("0", "1")})
     EXPECT_EQ(names_in(std::string(first) + "\n" + second), (std::vector<std::string>{first, second}));
+  EXPECT_EQ(names_in("1 paper cup\n 0  person"), wanted);
+  folder.Write("net.names", "0 a\n0 b\n");
+  EXPECT_THAT(YoloDetector::Open(options).error().message,
+              HasSubstr("net.names, line 2: the number 0 stands here twice"));
 }
 
 TEST(YoloDetector, BoxesThatAreFractionsAreRefused) {
