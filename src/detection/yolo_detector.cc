@@ -9,6 +9,7 @@
 
 #include "core/installed.h"
 #include "core/log.h"
+#include "core/parallel.h"
 #include "detection/class_names.h"
 #include "detection/head_layout.h"
 #include "detection/letterbox.h"
@@ -72,7 +73,24 @@ Result<std::string> DefaultNetwork() {
   return BadInput(path + ", the network that comes with yorb, is not there; name another one (--model FILE.onnx)");
 }
 
-Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions& options) {
+namespace {
+
+/// More threads than the machine runs at once wait for one another at every step, which takes many times as long.
+DetectionOptions WithThreadsThatRun(DetectionOptions options) {
+  const int most = NumHardwareThreads();
+  if (options.threads > most) {
+    LogWarning("detection-threads", "detection.threads is " + std::to_string(options.threads) +
+                                        ", and this machine runs " + std::to_string(most) +
+                                        " at once: the network takes " + std::to_string(most));
+    options.threads = most;
+  }
+  return options;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions& wanted) {
+  const DetectionOptions options = WithThreadsThatRun(wanted);
   if ((options.width > 0) != (options.height > 0))
     return BadInput(
         "detection.width and detection.height go together; 0 for both takes the size that the network's file says");

@@ -20,7 +20,7 @@ class YoloDetector : public Detector {
  public:
   /// Opens the network, chooses an engine, recognises the layout, and says all of it in one log line. Bad input names
   /// the file and what is wrong with it.
-  static Result<std::unique_ptr<YoloDetector>> Open(const DetectionOptions& options);
+  static Result<std::unique_ptr<YoloDetector>> Open(const DetectionOptions& wanted);
 
   Result<Detections> Detect(const ImageSet& images) override;
 

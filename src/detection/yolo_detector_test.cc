@@ -7,6 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/parallel.h"
 #include "detection/class_names.h"
 #include "detection/test_network.h"
 #include "pictures/test_folder.h"
@@ -114,6 +115,21 @@ TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {
   folder.Write("net.names", "person\n");
   EXPECT_THAT(YoloDetector::Open(options).error().message,
               testing::AllOf(HasSubstr("net.onnx does not fit"), HasSubstr("net.names, which has 1 class name")));
+}
+
+TEST(YoloDetector, MoreThreadsThanTheMachineRunsAreNotTaken) {
+  const TestFolder folder;
+  DetectionOptions options;
+  options.model = folder.Write("net.onnx", TwoColourNetwork(false).Bytes());
+  const auto said_for = [&](int threads) {
+    options.threads = threads;
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(YoloDetector::Open(options));
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_THAT(said_for(NumHardwareThreads()), testing::Not(HasSubstr("detection.threads")));
+  const std::string said = said_for(NumHardwareThreads() + 1);
+  EXPECT_THAT(said, HasSubstr("the network takes " + std::to_string(NumHardwareThreads())));
 }
 
 TEST(YoloDetector, NumbersOfClassesAreNoPartOfTheirNames) {
