@@ -27,6 +27,7 @@ struct LoadedFrame {
   std::optional<ImageSet> images;  ///< nothing: the colour picture cannot be decoded whole, the frame is left out
   int num_skipped = 0;             ///< pictures of this frame that could not be decoded whole; each was warned of
   DepthGlance depth;
+  int orientation = 1;  ///< of the colour picture's EXIF block, which is not applied: the camera saw it as it is stored
 };
 
 /// A recording: frames in the order of time, read one at a time. Stereo, EuRoC, KITTI and video come in here too.

@@ -158,6 +158,7 @@ Result<LoadedFrame> TumDataset::Load(size_t i) const {
     return BadInput(listed.path + " is " + SizeText(picture->grey.size()) + ", the pictures before it are " +
                     SizeText(size) + "; pictures must not change size within a recording");
   }
+  frame.orientation = stored.orientation;
   frame.images = ImageSet{listed.time, picture->grey, picture->colour, {}};
   if (const Status depth = LoadDepth(i, frame); !depth) return depth.error();
   return frame;

@@ -286,6 +286,22 @@ TEST(OpenDataset, DepthThatIsNamedAsColourIsRefused) {
   }
 }
 
+TEST(OpenDataset, PicturesAreReadAsStoredAndExifIsToldOf) {
+  const TestFolder folder;
+  WriteRecording(folder, "room", 1);
+  folder.WritePicture("room/rgb/0.jpg", TestColour(0));
+  const unsigned char exif[] = {0xff, 0xe1, 0, 34, 'E', 'x', 'i', 'f', 0, 0, 'M', 'M', 0, 42, 0, 0, 0, 8,
+                                0,    1,    1, 18, 0,   3,   0,   0,   0, 1, 0,   6,   0, 0,  0, 0, 0, 0};
+  std::string jpeg = folder.Read("room/rgb/0.jpg");
+  folder.Write("room/rgb/0.jpg", jpeg.insert(2, reinterpret_cast<const char*>(exif), sizeof(exif)));
+  folder.Write("room/rgb.txt", Stamp(0) + " rgb/0.jpg\n");
+  const auto opened = OpenDataset(folder.Path("room"), "");
+  ASSERT_TRUE(opened) << opened.error().message;
+  const auto frame = (*opened)->Load(0);
+  EXPECT_EQ(frame->images->grey.size(), cv::Size(kTestWidth, kTestHeight));
+  EXPECT_EQ(frame->orientation, 6);
+}
+
 TEST(OpenDataset, InfraredPicturesOfFewBitsAreScaledAlike) {
   const TestFolder folder;
   WriteRecording(folder, "room", 2);

@@ -11,6 +11,7 @@
 
 #include "core/text.h"
 #include "pictures/endings.h"
+#include "pictures/exif.h"
 #include "pictures/jpeg.h"
 #include "pictures/other_formats.h"
 #include "pictures/png.h"
@@ -121,7 +122,10 @@ StoredPicture ReadPictureFile(const std::string& path) {
   stream.seekg(0);
   if (size > 0 && !stream.read(bytes.data(), size)) return {{}, "cannot be read"};
   const std::string fault = FaultOfPictureBytes(bytes);
-  return fault.empty() ? Decode(bytes) : StoredPicture{{}, fault};
+  if (!fault.empty()) return {{}, fault};
+  StoredPicture picture = Decode(bytes);
+  picture.orientation = ExifOrientation(bytes);
+  return picture;
 }
 
 Result<std::string> EncodePictureFor(const std::string& path, const cv::Mat& picture, int jpeg_quality) {

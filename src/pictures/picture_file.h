@@ -16,8 +16,9 @@ namespace yorb {
 
 /// A picture as its file stores it, or the reason why it cannot be read whole.
 struct StoredPicture {
-  cv::Mat pixels;     ///< any type; empty where there is a fault
-  std::string fault;  ///< "is cut short" and the like; empty where all is well
+  cv::Mat pixels;       ///< any type; empty where there is a fault
+  std::string fault;    ///< "is cut short" and the like; empty where all is well
+  int orientation = 1;  ///< of EXIF, which is not applied: 1 (upright) to 8
 };
 
 /// Reads and decodes a picture file. Decoders fill what is missing of a cut JPEG with grey and call it a success, so

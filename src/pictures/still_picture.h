@@ -4,15 +4,10 @@
 
 #include <opencv2/core.hpp>
 #include <string>
-#include <string_view>
 
 #include "core/result.h"
 
 namespace yorb {
-
-/// How the camera was held, as a JPEG or PNG says in its EXIF block: 1 (upright) to 8; 1 where nothing is said. The
-/// beginning of the file is enough.
-int ExifOrientation(std::string_view bytes);
 
 /// The picture turned and mirrored as an EXIF orientation asks, so that it looks as in any viewer.
 cv::Mat Upright(const cv::Mat& picture, int orientation);

@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "pictures/endings.h"
+#include "pictures/exif.h"
 #include "pictures/jpeg.h"
 #include "pictures/picture_folder.h"
 #include "pictures/test_folder.h"
@@ -61,6 +63,38 @@ TEST(StillPicture, IsTurnedAsViewersShowIt) {
       const int x = c.is_right ? picture->cols - 3 : 2, y = c.is_bottom ? picture->rows - 3 : 2;
       EXPECT_GT(picture->at<cv::Vec3b>(y, x)[0], 200) << c.orientation;
     }
+  }
+}
+
+/// A WebP without loss, with that block behind its picture.
+std::string WebpWith(const cv::Mat& picture, const std::string& block) {
+  std::vector<unsigned char> written;
+  EXPECT_TRUE(cv::imencode(".webp", picture, written, {cv::IMWRITE_WEBP_QUALITY, 101}));
+  const std::string simple(written.begin(), written.end());
+  const auto number = [](size_t value, int size) {
+    std::string bytes;
+    for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> 8 * i);
+    return bytes;
+  };
+  const auto chunk = [&](const std::string& name, const std::string& content) {
+    return name + number(content.size(), 4) + content + std::string(content.size() % 2, '\0');
+  };
+  const std::string features = '\x08' + number(0, 3) + number(static_cast<size_t>(picture.cols) - 1, 3) +
+                               number(static_cast<size_t>(picture.rows) - 1, 3);
+  const std::string content = "WEBP" + chunk("VP8X", features) + simple.substr(12) + chunk("EXIF", block);
+  return "RIFF" + number(content.size(), 4) + content;
+}
+
+TEST(StillPicture, WebpIsTurned) {
+  const TestFolder folder;
+  for (const std::string& mark : {std::string(), std::string("Exif\0\0", 6)}) {
+    folder.Write("a.webp", WebpWith(Cornered(), mark + Exif(6, false)));
+    const auto picture = ReadUprightPicture(folder.Path("a.webp"));
+    ASSERT_TRUE(picture) << picture.error().message;
+    ASSERT_EQ(picture->size(), cv::Size(20, 40));
+    EXPECT_GT(picture->at<cv::Vec3b>(2, 17)[0], 200);
+    const std::string whole = folder.Read("a.webp");
+    for (size_t size = 0; size < whole.size(); ++size) ExifOrientation(whole.substr(0, size));
   }
 }
 

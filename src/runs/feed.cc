@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/log.h"
 #include "core/prefetch.h"
 #include "core/stopwatch.h"
 #include "datasets/depth_watch.h"
@@ -84,10 +85,31 @@ std::optional<Fate> PushFrame(LoadedFrame frame, Slam& slam, FeedLog& log) {
   return *is_pushed ? Fate::kPushed : Fate::kDropped;
 }
 
+/// Boxes of a file and pictures that are stored lying: `yorb detect` gives them in the picture as viewers show it.
+class TurnedPictures {
+ public:
+  explicit TurnedPictures(const Config& config)
+      : boxes_(config.dynamics == "off" ? std::string() : config.detections) {}
+
+  void Watch(const LoadedFrame& frame, const std::string& name) {
+    if (frame.orientation == 1 || boxes_.empty()) return;
+    LogWarning("turned-pictures", name + " is to be turned, says its EXIF block (orientation " +
+                                      std::to_string(frame.orientation) +
+                                      "), and is used as it is stored: the boxes of " + boxes_ +
+                                      " must be in pixels of the stored picture; those of `yorb detect` are in pixels "
+                                      "of the turned one, so take the block away before it looks");
+    boxes_.clear();  // once is enough
+  }
+
+ private:
+  std::string boxes_;
+};
+
 void FeedFrames(const Dataset& dataset, const Config& config, Slam& slam, const FeedHooks& hooks, FeedLog& log) {
   const bool is_live = config.mode == "live";
   Reader reader(dataset, FramesToFeed(dataset, config));
   DepthWatch depth(dataset.rig());
+  TurnedPictures turned(config);
   Pace pace;
   while (auto frame = reader.Next()) {
     log.was_stopped = (hooks.should_stop && hooks.should_stop()) ||
@@ -98,6 +120,7 @@ void FeedFrames(const Dataset& dataset, const Config& config, Slam& slam, const 
       return;
     }
     depth.Add(*frame->loaded);
+    turned.Watch(*frame->loaded, dataset.PictureName(frame->index));
     log.had_depth = depth.has_seen_any();
     const auto fate = PushFrame(*std::move(frame->loaded), slam, log);
     if (!fate) return;

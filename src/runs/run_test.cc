@@ -122,6 +122,24 @@ TEST_F(Runs, SkipUnreadablePicturesAndCountThem) {
   EXPECT_THAT(Text("frames.csv"), HasSubstr(ToString(dataset.TimeOf(4)) + ",skipped,"));
 }
 
+TEST_F(Runs, OfPicturesToBeTurnedSayOnceWhichPixelsGivenBoxesMean) {
+  WallDataset wall(4);
+  wall.orientation = 6;
+  const std::string boxes = out_ + "_boxes.jsonl";
+  ASSERT_TRUE(WriteFileWhole(boxes, ""));
+  RunOptions options = Options("inline");
+  for (const bool are_given : {false, true}) {
+    options.config.detections = are_given ? boxes : "";
+    const auto summary = RunSequence(wall, options, {});
+    ASSERT_TRUE(summary.ok()) << summary.error().message;
+    const std::string log = Text("log.txt"), complaint = "the boxes of " + boxes + " must be in pixels of the stored";
+    const size_t first = log.find(complaint);
+    EXPECT_EQ(first != std::string::npos, are_given) << log;
+    EXPECT_EQ(first, log.rfind(complaint)) << "once, or never";
+  }
+  std::filesystem::remove(boxes);
+}
+
 TEST_F(Runs, WithoutAMapSayWhy) {
   RunOptions options = Options("inline");
   options.config.tracking.min_first_points = 20000;

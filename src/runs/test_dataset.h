@@ -50,11 +50,13 @@ class WallDataset : public Dataset {
     images.depth.metres_per_unit = 0.001;
     frame.images = std::move(images);
     frame.depth = {true, false, 1, 2};
+    frame.orientation = orientation;
     return frame;
   }
 
   std::set<size_t> broken, unreadable;  ///< frames that cannot be read: an error, or skipped
   size_t narrow_from = size_t(-1);      ///< from here on the pictures have half the width
+  int orientation = 1;                  ///< of EXIF
   int left_mm = 2000;  ///< how far away the left half of each picture is; less: it stands before the wall
 
  private:
