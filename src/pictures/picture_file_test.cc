@@ -4,8 +4,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <jpeglib.h>
 #include <sys/stat.h>
 
+#include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -99,6 +101,52 @@ TEST(PictureFile, OtherFormatsAreReadByTheModule) {
     ASSERT_EQ(read.fault, "") << name;
     EXPECT_EQ(cv::norm(read.pixels, picture, cv::NORM_INF), 0) << name;
   }
+}
+
+/// As printers and picture editors write them: four inks, the other way round (255 is no ink), in Adobe's manner.
+std::string CmykJpeg(const cv::Mat& inks_left) {
+  jpeg_error_mgr errors{};
+  jpeg_compress_struct info{};
+  info.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&info);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&info, &bytes, &size);
+  info.image_width = static_cast<JDIMENSION>(inks_left.cols);
+  info.image_height = static_cast<JDIMENSION>(inks_left.rows);
+  info.input_components = 4;
+  info.in_color_space = JCS_CMYK;
+  jpeg_set_defaults(&info);
+  jpeg_set_quality(&info, 100, TRUE);
+  jpeg_start_compress(&info, TRUE);
+  for (int y = 0; y < inks_left.rows; ++y) {
+    JSAMPROW row = const_cast<JSAMPROW>(inks_left.ptr(y));
+    jpeg_write_scanlines(&info, &row, 1);
+  }
+  jpeg_finish_compress(&info);
+  const std::string jpeg(reinterpret_cast<const char*>(bytes), size);
+  jpeg_destroy_compress(&info);
+  std::free(bytes);
+  return jpeg;
+}
+
+TEST(PictureFile, JpegsOfFourInksHaveTheirColours) {
+  const TestFolder folder;
+  struct Case {
+    cv::Scalar inks_left, bgr;  // cyan, magenta, yellow, black
+  };
+  for (const Case& c : {Case{{255, 0, 0, 255}, {0, 0, 255}}, Case{{0, 255, 0, 255}, {0, 255, 0}},
+                        Case{{0, 0, 255, 255}, {255, 0, 0}}, Case{{255, 255, 255, 255}, {255, 255, 255}},
+                        Case{{255, 255, 255, 0}, {0, 0, 0}}, Case{{200, 120, 40, 128}, {20, 60, 100}}}) {
+    folder.Write("a.jpg", CmykJpeg(cv::Mat(16, 16, CV_8UC4, c.inks_left)));
+    const StoredPicture read = ReadPictureFile(folder.Path("a.jpg"));
+    ASSERT_EQ(read.fault, "");
+    ASSERT_EQ(read.pixels.type(), CV_8UC3);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(read.pixels.at<cv::Vec3b>(8, 8)[k], c.bgr[k], 4) << c.inks_left;
+  }
+  const std::string whole = folder.Read("a.jpg");
+  folder.Write("a.jpg", whole.substr(0, whole.size() - 40));
+  EXPECT_EQ(ReadPictureFile(folder.Path("a.jpg")).fault, "is cut short");
 }
 
 TEST(PictureFile, JpegsThatMakeNoSenseInTheirMiddleAreDamagedAndStrayBytesAreNot) {
