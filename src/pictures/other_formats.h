@@ -24,6 +24,9 @@ class VideoStream {
 
   /// The next picture; nothing at the end.
   virtual std::optional<Picture> Next() = 0;
+
+  /// How many pictures the file says, or lets guess, that it holds; may be nonsense.
+  virtual double StatedCount() const = 0;
 };
 
 /// What decodes pictures that are neither PNG nor JPEG, and videos. OpenCV does, with some 220 libraries behind it

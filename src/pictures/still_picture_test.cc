@@ -175,9 +175,30 @@ TEST(Video, IsReadPictureByPicture) {
     last = frame->time.seconds();
   }
   EXPECT_FALSE(video->Next());
+  EXPECT_EQ(video->Shortfall(), "");
   EXPECT_TRUE(HasVideoEnding("a.MP4"));
   EXPECT_FALSE(HasVideoEnding("a.png"));
   EXPECT_FALSE(Video::Open(folder.Path("gone.mp4")));
+}
+
+TEST(Video, ThatEndsBeforeItSaysTellsHowMuchIsMissing) {
+  const TestFolder folder;
+  constexpr int kNumPictures = 40;
+  {
+    cv::VideoWriter writer(folder.Path("clip.avi"), cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'),
+                           10, {64, 48});
+    ASSERT_TRUE(writer.isOpened());
+    for (int i = 0; i < kNumPictures; ++i) writer.write(TestColour(i));
+  }
+  const std::string whole = folder.Read("clip.avi");
+  folder.Write("clip.avi", whole.substr(0, whole.size() / 2));
+  auto video = Video::Open(folder.Path("clip.avi"));
+  ASSERT_TRUE(video) << video.error().message;
+  int num_read = 0;
+  while (video->Next()) ++num_read;
+  ASSERT_LT(num_read, kNumPictures);
+  EXPECT_EQ(video->Shortfall(),
+            "says that it holds 40 pictures, of which " + std::to_string(num_read) + " can be read; is it cut short?");
 }
 
 }  // namespace

@@ -30,11 +30,15 @@ class Video {
   /// The next picture; nothing at the end.
   std::optional<VideoFrame> Next();
 
+  /// At its end: in words, that the file says it holds more; empty where it does not.
+  std::string Shortfall() const;
+
  private:
   explicit Video(std::unique_ptr<VideoStream> stream) : stream_(std::move(stream)) {}
 
   std::unique_ptr<VideoStream> stream_;
   size_t num_read_ = 0;
+  double rate_ = 0, last_s_ = 0;  ///< pictures a second, and the time of the last one
 };
 
 }  // namespace yorb

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/log.h"
 #include "datasets/picture_list.h"
 #include "datasets/tum.h"
 #include "pictures/endings.h"
@@ -54,6 +55,8 @@ class VideoSource : public PictureSource {
     number.insert(0, number.size() < 6 ? 6 - number.size() : 0, '0');
     SourcePicture picture{path_, fs::path(path_).stem().string() + "_" + number + ".png", frame_->time, frame_->bgr};
     frame_ = video_.Next();
+    if (const std::string cut = frame_ ? "" : video_.Shortfall(); !cut.empty())
+      LogWarning("video-cut", path_ + " " + cut);
     return picture;
   }
 

@@ -19,6 +19,8 @@ class OpenCvVideo : public VideoStream {
     return Picture{bgr.clone(), capture_.get(cv::CAP_PROP_POS_MSEC), capture_.get(cv::CAP_PROP_FPS)};
   }
 
+  double StatedCount() const override { return capture_.get(cv::CAP_PROP_FRAME_COUNT); }
+
  private:
   cv::VideoCapture capture_;
 };
