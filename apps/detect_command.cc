@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +26,7 @@
 #include "runs/draw_boxes.h"
 #include "runs/judge_detector.h"
 #include "runs/picture_source.h"
+#include "runs/signed_picture.h"
 #include "runs/unreadable.h"
 
 namespace yorb {
@@ -135,13 +138,32 @@ class BoxOutput {
     return text;
   }
 
-  /// A place where nothing was before this run, which may be somebody's picture.
-  std::string FreePath(const std::string& path) {
+  /// What a picture with boxes is made of: an earlier run's picture of the same is replaced.
+  static std::string SourceOf(const SourcePicture& picture) {
     std::error_code ignored;
-    std::string free = UntakenPath(path, written_);
-    if (!fs::exists(free, ignored)) return free;
-    while (fs::exists(free, ignored)) free = UntakenPath(path, written_);
-    LogWarning("picture-there", path + " was there before and stays; the boxes are in " + free);
+    return fs::weakly_canonical(picture.image, ignored).string() + '\n' + picture.name;
+  }
+
+  /// Whether something is there that is not ours: a picture of somebody's, or one that was made of another.
+  static bool IsTaken(const std::string& path, const std::string& source) {
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) return false;
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream content;
+    content << stream.rdbuf();
+    return !IsSignedPicture(content.str(), source);
+  }
+
+  std::string FreePath(const std::string& path, const std::string& source) {
+    bool was_there = false;
+    const std::string free = UntakenPath(path, [&](const std::string& candidate) {
+      if (written_.count(candidate) > 0) return true;
+      const bool is_taken = IsTaken(candidate, source);
+      was_there |= is_taken;
+      return is_taken;
+    });
+    written_.insert(free);
+    if (was_there) LogWarning("picture-there", path + " was there before and stays; the boxes are in " + free);
     return free;
   }
 
@@ -149,9 +171,9 @@ class BoxOutput {
   Status Save(const SourcePicture& picture, const std::vector<Box>& boxes) {
     fs::path name = picture.name;
     if (!HasJpegEnding(picture.name)) name.replace_extension(".png");
-    const std::string path = FreePath((fs::path(*save_) / name).string());
+    const std::string source = SourceOf(picture), path = FreePath((fs::path(*save_) / name).string(), source);
     const auto bytes = EncodePictureFor(path, DrawBoxes(picture.pixels, boxes));
-    return bytes ? WriteFileWhole(path, *bytes) : Status(bytes.error());
+    return bytes ? WriteFileWhole(path, SignedPicture(*bytes, source)) : Status(bytes.error());
   }
 
   bool wants_json_;

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
@@ -99,6 +100,24 @@ TEST_F(Detect, PicturesThatWereThereBeforeStay) {
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("album/0.png was there before"), HasSubstr("album/0_2.png")));
   for (const char* name : {"album/0_2.png", "album/1.png"})
     EXPECT_EQ(ReadPictureFile(folder_.Path(name)).pixels.size(), cv::Size(64, 64)) << name;
+}
+
+TEST_F(Detect, ASecondRunReplacesThePicturesOfTheFirst) {
+  folder_.Write("album/0.png", "somebody's");
+  folder_.WritePicture("other/1.png", cv::Mat(32, 32, CV_8UC3, cv::Scalar::all(20)));
+  folder_.WritePicture("photo.jpg", cv::Mat(64, 64, CV_8UC3, cv::Scalar::all(20)));
+  const std::string pictures = "set/images other photo.jpg ";
+  ASSERT_EQ(Call(pictures + "--model net.onnx --save album").code, 0);
+  const std::string first = folder_.Read("album/1.png");
+  const Outcome again = Call("photo.jpg other ./set/../set/images --model net.onnx --classes cup --save album");
+  EXPECT_EQ(again.code, 0) << again.err;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.Path("album")))
+    names.push_back(entry.path().filename().string());
+  EXPECT_THAT(names, testing::UnorderedElementsAre("0.png", "0_2.png", "1.png", "1_2.png", "photo.jpg"));
+  EXPECT_EQ(folder_.Read("album/0.png"), "somebody's");
+  EXPECT_NE(folder_.Read("album/1.png"), first) << "the person's box is gone";
+  EXPECT_EQ(ReadPictureFile(folder_.Path("album/1_2.png")).pixels.size(), cv::Size(32, 32));
 }
 
 TEST_F(Detect, UnreadablePicturesAreNamedAfterTheOthers) {

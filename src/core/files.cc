@@ -86,14 +86,18 @@ Status WriteFilesTogether(const std::vector<FileToWrite>& files) {
   return first;
 }
 
-std::string UntakenPath(const std::string& path, std::set<std::string>& taken) {
+std::string UntakenPath(const std::string& path, const std::function<bool(const std::string&)>& is_taken) {
   const std::filesystem::path first = path;
   std::string untaken = path;
-  for (int number = 2; !taken.insert(untaken).second; ++number) {
+  for (int number = 2; is_taken(untaken); ++number) {
     const std::string name = first.stem().string() + "_" + std::to_string(number) + first.extension().string();
     untaken = (first.parent_path() / name).string();
   }
   return untaken;
+}
+
+std::string UntakenPath(const std::string& path, std::set<std::string>& taken) {
+  return UntakenPath(path, [&](const std::string& untaken) { return !taken.insert(untaken).second; });
 }
 
 std::string OwnName(const std::string& path) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ Status WriteFileQuickly(const std::string& path, const std::string& content);
 /// A path for one more file: `path` itself, or with a number behind its stem, a/x_2.jpg, where that is among `taken`;
 /// what it gives is taken from then on.
 std::string UntakenPath(const std::string& path, std::set<std::string>& taken);
+
+/// The first of these names that is not taken, whatever that means.
+std::string UntakenPath(const std::string& path, const std::function<bool(const std::string&)>& is_taken);
 
 /// A file's or folder's own name, whatever its path looks like: "a" for "b/../a/", that of the current folder for ".".
 std::string OwnName(const std::string& path);
