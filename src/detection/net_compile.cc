@@ -67,17 +67,6 @@ class NetCompiler {
     });
   }
 
-  static NetValue Filled(NetValue value, const OnnxTensor& tensor) {
-    value.is_whole = tensor.is_whole;
-    if (tensor.is_whole) {
-      std::transform(tensor.ints.begin(), tensor.ints.end(), value.data.get(),
-                     [](int64_t number) { return static_cast<float>(number); });
-    } else {
-      std::copy(tensor.floats.begin(), tensor.floats.end(), value.data.get());
-    }
-    return value;
-  }
-
   /// The one node that reads a value; nothing where there are several, or the value is a result.
   const OnnxNode* OnlyReader(const std::string& value) const {
     const auto found = readers_.find(value);

@@ -102,6 +102,16 @@ int64_t PixelOfOpenCv(int64_t x, const ResizedAxis& axis, const NearestWay& way)
   return std::min(static_cast<int64_t>(pixel), axis.from - 1);
 }
 
+/// Between pixels OpenCV goes by the ratio of the sizes, ONNX by the scale: another one where a part of a pixel is
+/// over.
+bool IsLinearOfParts(const NetNode& node, const ResizedAxes& axes) {
+  if (node.node.Text("mode", "nearest") != "linear") return false;
+  if (node.node.Text("coordinate_transformation_mode", "half_pixel") == "align_corners") return false;
+  return std::any_of(axes.begin(), axes.end(), [](const ResizedAxis& axis) {
+    return std::abs(static_cast<double>(axis.from) * axis.scale - static_cast<double>(axis.to)) > 1e-3;
+  });
+}
+
 /// Whether pixel(x, axis) is the nearest everywhere.
 template <typename F>
 bool AreNearest(const ResizedAxes& axes, const NearestWay& way, const F& pixel) {
@@ -120,6 +130,10 @@ Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node) {
   const auto axes = AxesOf(node);
   const auto way = WayOf(node);
   const Error unread = BadInput(": only the nearest pixel at a whole factor is read");
+  if (axes && IsLinearOfParts(node, *axes)) {
+    return BadInput(std::string(": linear scales with a part of a pixel left over are not read") + kNorByOpenCv +
+                    "; export it with sizes in place of scales");
+  }
   if (!axes || !way) return unread;
   const auto factor = [](const ResizedAxis& axis) { return static_cast<int64_t>(axis.scale); };
   const auto in_block = [&](int64_t x, const ResizedAxis& axis) { return x / factor(axis); };

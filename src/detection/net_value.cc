@@ -32,6 +32,17 @@ NetValue NewConstant(const std::vector<int64_t>& dims, NetLayout layout) {
   return value;
 }
 
+NetValue Filled(NetValue value, const OnnxTensor& tensor) {
+  value.is_whole = tensor.is_whole;
+  if (tensor.is_whole) {
+    std::transform(tensor.ints.begin(), tensor.ints.end(), value.data.get(),
+                   [](int64_t number) { return static_cast<float>(number); });
+  } else {
+    std::copy(tensor.floats.begin(), tensor.floats.end(), value.data.get());
+  }
+  return value;
+}
+
 std::shared_ptr<float> BufferPool::Take(int64_t size) {
   std::shared_ptr<Buffer> best;
   for (const auto& buffer : buffers_) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "detection/onnx_model.h"
 
 namespace yorb {
 
@@ -48,6 +49,9 @@ std::vector<int64_t> StridesOf(const std::vector<int64_t>& dims, NetLayout layou
 
 /// A constant of zeros, to be filled; its buffer is freed with the last value in it.
 NetValue NewConstant(const std::vector<int64_t>& dims, NetLayout layout = NetLayout::kDense);
+
+/// A dense value with the numbers of a tensor in it.
+NetValue Filled(NetValue value, const OnnxTensor& tensor);
 
 /// Buffers that values share when their times do not meet. A buffer is free again when the last value in it is gone.
 class BufferPool {

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
 #include <opencv2/dnn.hpp>
 #include <utility>
 
 #include "detection/engine.h"
+#include "detection/opencv_misreading.h"
 
 namespace yorb {
 namespace {
@@ -21,6 +23,40 @@ Error Unreadable(const std::string& path, const std::string& complaint) {
   return BadInput(
       path + " cannot be run by OpenCV DNN " CV_VERSION + (name.empty() ? "" : ", by its operator " + name) +
       "; export it with fixed sizes and its three raw head maps as outputs, or build yorb with ONNX Runtime");
+}
+
+Status Misread(const std::string& path, const std::string& misreading) {
+  if (misreading.empty()) return Status::Ok();
+  return BadInput(path +
+                  " cannot be run by OpenCV DNN " CV_VERSION
+                  ", which would give other numbers than the file means for its operator " +
+                  misreading + "; export it without that, or build yorb with ONNX Runtime");
+}
+
+/// OpenCV names its layers after nodes, or after what these give.
+ShapeOfValue ShapesIn(const cv::dnn::Net& net, const OnnxModel& model, const EngineInput& input) {
+  struct Place {
+    std::string layer;
+    size_t output;
+  };
+  std::map<std::string, Place> places;
+  for (const OnnxNode& node : model.nodes) {
+    for (size_t i = 0; i < node.outputs.size(); ++i)
+      places[node.outputs[i]] = {node.name.empty() ? "onnx_node_output_0!" + node.outputs[0] : "onnx_node!" + node.name,
+                                 i};
+  }
+  const cv::dnn::MatShape picture{input.batch, input.channels, input.height, input.width};
+  return [net, picture, places, input_name = model.inputs.front().name](const std::string& value) mutable {
+    if (value == input_name) return std::vector<int64_t>(picture.begin(), picture.end());
+    const auto place = places.find(value);
+    const int layer = place == places.end() ? -1 : net.getLayerId(place->second.layer);
+    if (layer < 0) return std::vector<int64_t>();
+    std::vector<cv::dnn::MatShape> read, given;
+    net.getLayerShapes(picture, layer, read, given);
+    if (place->second.output >= given.size()) return std::vector<int64_t>();
+    const cv::dnn::MatShape& shape = given[place->second.output];
+    return std::vector<int64_t>(shape.begin(), shape.end());
+  };
 }
 
 class OpenCvEngine : public Engine {
@@ -75,10 +111,13 @@ std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims) {
 }
 
 Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input) {
+  if (const Status fine = Misread(input.path, MisreadingInFile(model)); !fine) return fine.error();
   const std::string bytes = OnnxBytes(model);
   try {
     cv::dnn::Net net = cv::dnn::readNetFromONNX(bytes.data(), bytes.size());
     net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    if (const Status fine = Misread(input.path, MisreadingOfShapes(model, ShapesIn(net, model, input))); !fine)
+      return fine.error();
     std::vector<std::string> outputs;
     for (const OnnxValue& output : model.outputs) outputs.push_back(output.name);
     return std::unique_ptr<Engine>(std::make_unique<OpenCvEngine>(net, std::move(outputs), input));
