@@ -62,6 +62,8 @@ Status ReadPeople(const TextFile& text, BoxFile& file) {
   return Status::Ok();
 }
 
+constexpr double kMostConfidence = 1.001;  // 1, rounded somehow
+
 /// A number, or the text of one; not a number where there is none.
 double NumberOf(const Json& object, const char* key, double otherwise) {
   const auto found = object.find(key);
@@ -88,13 +90,23 @@ std::optional<std::string> NameOf(const Json& object) {
   return std::nullopt;
 }
 
+/// By any of the names that it goes by; 1 where there is none.
+double ConfidenceOf(const Json& object) {
+  for (const char* key : {"confidence", "conf", "score"}) {
+    if (object.contains(key)) return NumberOf(object, key, 1);
+  }
+  return 1;
+}
+
 /// A box as its four edges, or as a list of them. What is wrong with it, in words; empty where all is well.
 std::string ReadBox(const Json& object, Box& box) {
   if (!object.is_object()) return "a box is an object with name, confidence, left, top, right, bottom";
   const auto name = NameOf(object);
   if (!name) return "a box needs a name: a word, or a number of COCO's from 0 to 79";
   box.name = *name;
-  box.confidence = NumberOf(object, "confidence", 1);
+  box.confidence = ConfidenceOf(object);
+  if (box.confidence < 0 || box.confidence > kMostConfidence)
+    return "a confidence is a number from 0 to 1, not " + FormatShortest(box.confidence);
   const auto list = object.find("box");
   const bool is_list = list != object.end() && list->is_array() && list->size() == 4;
   const char* const keys[] = {"left", "top", "right", "bottom"};

@@ -65,6 +65,19 @@ TEST(BoxFile, JsonLinesAreReadInTheirSpellings) {
   }
 }
 
+TEST(BoxFile, ConfidencesGoByThreeNamesAndAreSharesOf1) {
+  const auto read = [](const std::string& confidence) {
+    return Read(R"({"timestamp": 1.5, "boxes": [{"name": "person", )" + confidence + R"("box": [10, 20, 90, 200]}]})");
+  };
+  for (const char* key : {"confidence", "conf", "score"}) {
+    const std::string name = std::string("\"") + key + "\": ";
+    EXPECT_EQ(read(name + "0.3, ")->moments[0].boxes[0].confidence, 0.3) << key;
+    for (const char* other : {"90, ", "-0.3, "})
+      EXPECT_THAT(read(name + other).error().message, HasSubstr("line 1: a confidence is a number from 0 to 1"));
+  }
+  EXPECT_EQ(read("")->moments[0].boxes[0].confidence, 1);
+}
+
 TEST(BoxFile, WhatIsWrittenIsReadAgain) {
   const std::string line =
       ToJsonLine({At("1305031102.175304"), "a \"b\".png", 640, 480}, {{"driver's seat", 0.5, 1.25, 2, 3, 4}});
