@@ -21,7 +21,9 @@ bool EndsAs(std::string_view name, std::initializer_list<std::string_view> known
 }  // namespace
 
 bool HasPictureEnding(std::string_view name) {
-  return EndsAs(name, {"png", "jpg", "jpeg", "tif", "tiff", "pgm", "ppm", "pnm", "pfm", "bmp", "exr", "webp", "jp2"});
+  // HEIC and AVIF cannot be read, and are better named as that than passed over.
+  return EndsAs(name, {"png", "jpg", "jpeg", "jpe", "jfif", "tif", "tiff", "pgm", "ppm", "pnm", "pfm", "bmp", "exr",
+                       "webp", "jp2", "heic", "heif", "avif"});
 }
 
 bool HasJpegEnding(std::string_view name) { return EndsAs(name, {"jpg", "jpeg"}); }

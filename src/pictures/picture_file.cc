@@ -98,6 +98,18 @@ DecodedPicture DecodeCommon(const std::string& bytes) {
   return {};
 }
 
+/// Of bytes that nobody could make a picture of.
+std::string FaultOfUndecoded(std::string_view bytes) {
+  constexpr unsigned kIsAnimated = 2;
+  const std::string_view brand = bytes.size() < 12 || bytes.substr(4, 4) != "ftyp" ? "" : bytes.substr(8, 4);
+  for (const char* unread : {"heic", "heix", "mif1", "msf1", "avif", "avis"}) {
+    if (brand == unread) return "is HEIC or AVIF, which are not read; save it as JPEG or PNG";
+  }
+  const bool is_webp = bytes.size() > 20 && bytes.substr(0, 4) == "RIFF" && bytes.substr(8, 8) == "WEBPVP8X";
+  if (is_webp && (Byte(bytes, 20) & kIsAnimated) != 0) return "is an animated WebP, which is not read; save it as GIF";
+  return "cannot be decoded";
+}
+
 /// By what the bytes begin with; whatever is left over goes to the other formats.
 StoredPicture Decode(const std::string& bytes) {
   DecodedPicture picture = DecodeCommon(bytes);
@@ -106,7 +118,7 @@ StoredPicture Decode(const std::string& bytes) {
   const auto others = LoadOtherFormats();
   if (!others) return {{}, others.error().message};
   picture.pixels = (*others)->Decode(bytes);
-  return {picture.pixels, picture.pixels.empty() ? "cannot be decoded" : ""};
+  return {picture.pixels, picture.pixels.empty() ? FaultOfUndecoded(bytes) : ""};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "pictures/endings.h"
 #include "pictures/test_folder.h"
 
 namespace yorb {
@@ -189,6 +190,13 @@ TEST(PictureFile, WhatIsNoPictureIsSaid) {
   EXPECT_THAT(ReadPictureFile(folder.Path("lfs.png")).fault, HasSubstr("LFS"));
   EXPECT_THAT(ReadPictureFile(folder.Path("gone.png")).fault, HasSubstr("opened"));
   EXPECT_NE(ReadPictureFile(folder.Path()).fault, "");
+  folder.Write("phone.heic", std::string("\0\0\0\x18"
+                                         "ftypheic\0\0\0\0mif1heic",
+                                         24) +
+                                 std::string(100, '\0'));
+  EXPECT_THAT(ReadPictureFile(folder.Path("phone.heic")).fault, HasSubstr("HEIC"));
+  EXPECT_TRUE(HasPictureEnding("phone.HEIC")) << "so that it is named where a folder is read";
+  EXPECT_TRUE(HasPictureEnding("saved.jfif"));
   ASSERT_EQ(::mkfifo(folder.Path("pipe.png").c_str(), 0600), 0);
   EXPECT_THAT(ReadPictureFile(folder.Path("pipe.png")).fault, HasSubstr("regular"));
 }
