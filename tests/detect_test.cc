@@ -120,6 +120,15 @@ TEST_F(Detect, ASecondRunReplacesThePicturesOfTheFirst) {
   EXPECT_EQ(ReadPictureFile(folder_.Path("album/1_2.png")).pixels.size(), cv::Size(32, 32));
 }
 
+TEST_F(Detect, VideosInAFolderAreNotPassedOverInSilence) {
+  folder_.Write("clips/a.mp4", "");
+  ExpectRefused("clips/a.mp4, are read where they are named", "clips --model net.onnx --json");
+  folder_.WritePicture("clips/b.png", cv::Mat(64, 64, CV_8UC3, cv::Scalar::all(20)));
+  const Outcome outcome = Call("clips --model net.onnx --json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("clips/a.mp4, are read where they are named"));
+}
+
 TEST_F(Detect, UnreadablePicturesAreNamedAfterTheOthers) {
   folder_.Write("broken.png", "no picture");
   const Outcome outcome = Call("gone.png broken.png set/images/0.png --model net.onnx --json");

@@ -60,16 +60,18 @@ std::vector<fs::path> EntriesOf(const fs::path& folder) {
   return entries;
 }
 
-void Collect(const fs::path& folder, std::set<fs::path>& seen, std::vector<std::string>& pictures) {
+using IsWanted = bool (*)(std::string_view name);
+
+void Collect(const fs::path& folder, IsWanted is_wanted, std::set<fs::path>& seen, std::vector<std::string>& found) {
   std::error_code error;
   const fs::path place = fs::canonical(folder, error);
   if (error || !seen.insert(place).second) return;
   for (const fs::path& entry : EntriesOf(folder)) {
     std::error_code ignored;
     if (fs::is_directory(entry, ignored)) {
-      Collect(entry, seen, pictures);
-    } else if (HasPictureEnding(entry.filename().string())) {
-      pictures.push_back(entry.string());
+      Collect(entry, is_wanted, seen, found);
+    } else if (is_wanted(entry.filename().string())) {
+      found.push_back(entry.string());
     }
   }
 }
@@ -79,8 +81,15 @@ void Collect(const fs::path& folder, std::set<fs::path>& seen, std::vector<std::
 std::vector<std::string> PicturesUnder(const std::string& folder) {
   std::set<fs::path> seen;
   std::vector<std::string> pictures;
-  Collect(folder, seen, pictures);
+  Collect(folder, HasPictureEnding, seen, pictures);
   return pictures;
+}
+
+std::vector<std::string> VideosUnder(const std::string& folder) {
+  std::set<fs::path> seen;
+  std::vector<std::string> videos;
+  Collect(folder, HasVideoEnding, seen, videos);
+  return videos;
 }
 
 std::vector<std::string> PicturesIn(const std::string& folder) {

@@ -12,7 +12,10 @@ namespace yorb {
 /// hidden files and folders are passed over.
 std::vector<std::string> PicturesUnder(const std::string& folder);
 
-/// The same of the folder itself, without those below it.
+/// The same of videos.
+std::vector<std::string> VideosUnder(const std::string& folder);
+
+/// The pictures of the folder itself, without those below it.
 std::vector<std::string> PicturesIn(const std::string& folder);
 
 }  // namespace yorb

@@ -80,8 +80,10 @@ Result<std::unique_ptr<PictureSource>> OpenSequence(const std::string& folder) {
 }
 
 Result<std::unique_ptr<PictureSource>> OpenFolder(const std::string& folder) {
-  const std::vector<std::string> pictures = PicturesUnder(folder);
-  if (pictures.empty()) return BadInput(folder + " holds no pictures");
+  const std::vector<std::string> pictures = PicturesUnder(folder), videos = VideosUnder(folder);
+  const std::string hint = videos.empty() ? "" : "; videos, such as " + videos[0] + ", are read where they are named";
+  if (pictures.empty()) return BadInput(folder + " holds no pictures" + hint);
+  if (!videos.empty()) LogWarning("videos-passed-over", folder + ": only its pictures are looked at" + hint);
   auto source = std::make_unique<FileSource>();
   for (const std::string& picture : pictures)
     source->Add(picture, fs::path(picture).lexically_relative(folder).string(), std::nullopt);
