@@ -29,7 +29,8 @@ bool HasPictureEnding(std::string_view name) {
 bool HasJpegEnding(std::string_view name) { return EndsAs(name, {"jpg", "jpeg"}); }
 
 bool HasVideoEnding(std::string_view name) {
-  return EndsAs(name, {"mp4", "avi", "mkv", "mov", "webm", "m4v", "mpg", "mpeg", "wmv", "ogv", "gif"});
+  return EndsAs(name, {"mp4", "avi", "mkv", "mov", "webm", "m4v", "mpg", "mpeg", "wmv", "ogv", "gif", "3gp", "mts",
+                       "m2ts", "flv"});
 }
 
 }  // namespace yorb

@@ -176,7 +176,7 @@ TEST(Video, IsReadPictureByPicture) {
   }
   EXPECT_FALSE(video->Next());
   EXPECT_EQ(video->Shortfall(), "");
-  EXPECT_TRUE(HasVideoEnding("a.MP4"));
+  for (const char* name : {"a.MP4", "a.3gp", "00001.MTS"}) EXPECT_TRUE(HasVideoEnding(name)) << name;
   EXPECT_FALSE(HasVideoEnding("a.png"));
   EXPECT_FALSE(Video::Open(folder.Path("gone.mp4")));
 }
