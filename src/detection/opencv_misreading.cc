@@ -109,6 +109,10 @@ std::string CumSumInFile(const Graph& graph, const OnnxNode& node) {
   return is_plain ? "" : "only sums along the last axis (-1) are right";
 }
 
+std::string DequantizeInFile(const Graph& graph, const OnnxNode& node) {
+  return graph.MakerOf(node, 0) == "QuantizeLinear" ? "what is quantised and turned back at once becomes 0" : "";
+}
+
 /// OpenCV aborts the program there.
 std::string GatherInFile(const Graph& graph, const OnnxNode& node) {
   const bool is_computed = graph.Constant(node, 0) == nullptr && graph.MakerOf(node, 0) != "Shape";
@@ -182,6 +186,7 @@ std::string MisreadingInFile(const OnnxModel& model) {
                                                    {"Split", SplitInFile},
                                                    {"Gemm", GemmInFile},
                                                    {"CumSum", CumSumInFile},
+                                                   {"DequantizeLinear", DequantizeInFile},
                                                    {"Gather", GatherInFile}};
   const Graph graph(model);
   for (const OnnxNode& node : model.nodes) {

@@ -148,6 +148,11 @@ TEST(OpenCvMisreading, WhatMovesNumbersAbout) {
   };
   ExpectRefused("Gather", gather(-1));
   ExpectTaken(gather(3));
+  const Build quantised = [](TestNetwork& net) {
+    const std::string step = net.Constant({}, {.05f});
+    return net.Op("DequantizeLinear", {net.Op("QuantizeLinear", {"images", step}), step});
+  };
+  ExpectRefused("DequantizeLinear", quantised);
   const auto cast = [](const char* op) {
     return [=](TestNetwork& net) { return net.Op("Cast", {net.Op(op, {"images"})}, {IntAttribute("to", kOnnxInt64)}); };
   };
