@@ -101,6 +101,7 @@ TEST(ClassList, IsReadInItsFourForms) {
   EXPECT_EQ(*read("../data.yaml", "names: [person, dining table]\n"), wanted) << "as Roboflow lays it out";
   EXPECT_EQ(read("unrelated.txt", "")->size(), 80u);
   EXPECT_EQ(*read("classes.txt", "0 person\n2 cup\n"), (Names{"person", "", "cup"}));
+  EXPECT_EQ(*read("classes.txt", "1 person\n2 cup\n"), (Names{"", "person", "cup"}));
   EXPECT_EQ(*read("classes.txt", "20 km/h\n50 km/h\n"), (Names{"20 km/h", "50 km/h"}));
   EXPECT_THAT(read("classes.txt", "0 person\n0 cup\n").error().message, HasSubstr("line 2"));
   EXPECT_THAT(read("data.yaml", "nc: 2\nnames: ['a' 'b']\n").error().message, HasSubstr("line 2"));

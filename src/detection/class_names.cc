@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/text.h"
@@ -147,15 +148,18 @@ std::optional<NumberedName> SplitNumber(const std::string& line) {
   return NumberedName{*number, line.substr(start)};
 }
 
-/// Without a 0 among them the numbers are parts of the names: "1 euro", "2 euro".
+/// Whether all lines begin with numbers of classes. Where there is no 0 and what follows is the same twice, they are
+/// parts of the names: "20 km/h", "50 km/h".
 bool AreNumbered(const std::vector<TextLine>& lines) {
   bool has_zero = false;
+  std::set<std::string> names;
   for (const TextLine& line : lines) {
     const auto entry = SplitNumber(line.text);
     if (!entry) return false;
     has_zero |= entry->number == 0;
+    names.insert(entry->name);
   }
-  return has_zero;
+  return has_zero || names.size() == lines.size();
 }
 
 }  // namespace

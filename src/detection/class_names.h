@@ -24,8 +24,9 @@ std::optional<std::vector<std::string>> ParseClassNames(std::string_view text);
 
 inline constexpr long long kMostListedClasses = 100000;  ///< numbers beyond it are no class's
 
-/// A list of names, a line each. Where every line begins with a number, and one with 0, they say which class is meant
-/// ("0 person", "0: person"); a class without a line has an empty name. Bad input names file and line.
+/// A list of names, a line each. Where every line begins with a number ("0 person", "0: person"), they say which class
+/// is meant, unless none is 0 and names would be alike ("20 km/h", "50 km/h"); a class without a line has an empty
+/// name. Bad input names file and line.
 Result<std::vector<std::string>> ReadClassList(const std::string& path);
 
 /// The names as such a Python dict, which is what readers of YOLO models know; ParseClassNames reads it again.
