@@ -130,8 +130,12 @@ BodyPlane FitBody(const BodySearch& search, const Box& box, float metres) {
   const CellRange range = search.depth.RangeOf(box);
   constexpr int kTurns = 8;
   constexpr float kStiffness = 2e-4f;
-  constexpr float kMostTurned = 0.9f;  // of its inverse depth over the picture's width, about 40 degrees: more are two
-  const float most_turned = kMostTurned / static_cast<float>(search.depth.columns());
+  // A steeper plane goes from one body to the next, unless all of it is one body deep: who is near, or narrow.
+  constexpr float kMostTurned = 0.9f;  // of its inverse depth over the picture's width, about 40 degrees
+  constexpr float kBodyDeepM = 0.3f;
+  const auto wide = static_cast<float>(std::max(range.right - range.left, 1));
+  const float most_turned =
+      std::max(kMostTurned / static_cast<float>(search.depth.columns()), kBodyDeepM / metres / wide);
   BodyPlane body{{{1 / metres, 0, 0}}, 0};
   for (int turn = 0; turn < kTurns; ++turn) {
     CellPlaneFit fit(range);

@@ -75,7 +75,7 @@ Contrast ContrastOf(const BodySearch& search, const Box& box, const BodyPlane& b
 
 /// The plane through a body, starting with one that faces the camera at `metres`: each turn takes in what lies near the
 /// plane of the turn before, so that it follows the body up and down. Sideways it turns by so much only: a plane that
-/// is steeper goes from one body to the next.
+/// is steeper, and deeper than one body, goes from one to the next.
 BodyPlane FitBody(const BodySearch& search, const Box& box, float metres);
 
 /// Marks in `mask` (a value for each cell) the body at `body`: what lies near its plane in the box, and what hangs

@@ -65,5 +65,18 @@ TEST(FitBody, DoesNotGoFromOneBodyToTheNext) {
   EXPECT_FALSE(body.Holds(210 / kDepthCellPx, row, 2.0f) && body.Holds(400 / kDepthCellPx, row, 1.4f));
 }
 
+TEST(FitBody, FollowsANearBodyThatIsTurned) {
+  const auto metres_at = [](int x) { return 0.6 + 0.1 * (x - 300) / 50.0; };  // 0.5 to 0.7 m within 100 px
+  cv::Mat millimetres(kHeight, kWidth, CV_16UC1, cv::Scalar(4000));
+  for (int x = 250; x < 350; ++x) millimetres(cv::Rect(x, 100, 1, 300)).setTo(1000 * metres_at(x));
+  const DepthCells depth({millimetres, 0.001});
+  const CellMask taken(depth.IndexOf(0, depth.rows()), 0);
+  const BodyPlane body = FitBody({depth, taken, {}}, {"person", 1, 250, 100, 350, 400}, 0.6f);
+  for (const int x : {260, 300, 340}) {
+    const float at = body.plane.DepthAt(x / kDepthCellPx, 250 / kDepthCellPx);
+    EXPECT_NEAR(at, metres_at(x), 0.03) << x;
+  }
+}
+
 }  // namespace
 }  // namespace yorb
