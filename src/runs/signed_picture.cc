@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runs/signed_picture.h"
 
+#include <zlib.h>
+
 #include <cstdint>
 #include <string_view>
 
@@ -22,12 +24,7 @@ std::string BigEndian(uint32_t number, size_t size) {
 
 /// The checksum of PNG's chunks.
 uint32_t Crc(std::string_view bytes) {
-  uint32_t crc = ~0u;
-  for (const char byte : bytes) {
-    crc ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc % 2 == 1 ? 0xedb88320u : 0u);
-  }
-  return ~crc;
+  return static_cast<uint32_t>(crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
 }
 
 bool IsPng(std::string_view file) { return file.substr(0, kPng.size()) == kPng && file.size() >= kPngEnd; }

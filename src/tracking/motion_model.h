@@ -18,13 +18,13 @@ struct CameraRate {
   Rigid3 After(double seconds) const { return {RotationFromVector(turn_per_s * seconds), shift_per_s * seconds}; }
 };
 
-/// Constant velocity, by the clock: a gap of two frames is a step of twice the length.
 /// A step that is likely: `information` is of the step of Rigid3::FromStep by which the true one is off.
 struct LikelyStep {
   Rigid3 step;
   Matrix6d information;
 };
 
+/// Constant velocity, by the clock: a gap of two frames is a step of twice the length.
 class MotionModel {
  public:
   /// The step between the two newest confirmed frames.
