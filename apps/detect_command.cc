@@ -20,6 +20,7 @@
 #include "core/text.h"
 #include "detection/box_file.h"
 #include "detection/class_names.h"
+#include "detection/network.h"
 #include "detection/yolo_detector.h"
 #include "pictures/endings.h"
 #include "pictures/picture_file.h"
@@ -71,20 +72,32 @@ Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
   return options;
 }
 
-/// The network, ready for pictures in their own shape where it can, or of the one size that --size WxH names.
-Result<std::unique_ptr<YoloDetector>> OpenDetector(const DetectArguments& arguments, const DetectionOptions& options) {
+/// The sides that --size N,N,... names; none where it is left out.
+Result<std::vector<int>> LongSidesOf(const DetectArguments& arguments) {
   constexpr long long kLeastSide = 32, kLargestSide = 4096;  // px
-  if (options.width > 0) return YoloDetector::Open(options);
-  long long side = 0;
-  if (arguments.size) {
-    side = ParseInteger(*arguments.size).value_or(0);
+  std::vector<int> sides;
+  if (!arguments.size) return sides;
+  for (const std::string_view word : SplitAt(*arguments.size, ',')) {
+    const long long side = ParseInteger(Trim(word)).value_or(0);
     if (side < kLeastSide || side > kLargestSide)
       return BadInput("--size " + *arguments.size +
-                      " must be the longer side of pictures, 32 to 4096, or WIDTHxHEIGHT, such as 416 or 320x256");
+                      " must be the longer side of pictures, 32 to 4096, or WIDTHxHEIGHT, such as 416 or 320x256, or "
+                      "several longer sides, such as 320,512,832");
+    sides.push_back(static_cast<int>(side));
   }
+  if (sides.size() > kMostLooks)
+    return BadInput("--size " + *arguments.size + " names more than " + std::to_string(kMostLooks) + " looks");
+  return sides;
+}
+
+/// The network, ready for pictures in their own shape where it can, or of the one size that --size WxH names.
+Result<std::unique_ptr<YoloDetector>> OpenDetector(const DetectArguments& arguments, const DetectionOptions& options) {
+  if (options.width > 0) return YoloDetector::Open(options);
+  const auto sides = LongSidesOf(arguments);
+  if (!sides) return sides.error();
   auto detector = YoloDetector::Open(options);
   if (!detector) return detector;
-  if (const Status fitted = (*detector)->FitToPictures(static_cast<int>(side)); !fitted) return fitted.error();
+  if (const Status fitted = (*detector)->FitToPictures(*sides); !fitted) return fitted.error();
   return detector;
 }
 
@@ -283,9 +296,9 @@ void AddDetectCommand(CLI::App& program, Action& action) {
   command
       ->add_option(
           "--size", a->size,
-          "What the network looks at: N, the longer side in px, the other as the picture has it; or WxH for all "
-          "[as the network's file says]")
-      ->type_name("N|WxH");
+          "What the network looks at: N, the longer side in px, the other as the picture has it; several for as many "
+          "looks, each slower and all together surer; or WxH for all [as the network's file says]")
+      ->type_name("N|N,N,..|WxH");
   command->add_option("--conf", a->confidence, "Boxes below this confidence are left out [.25]")->type_name("X");
   command
       ->add_option("--iou", a->most_overlap, "Boxes of one class that overlap more are doubles [.45; --evaluate: .6]")

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/files.h"
 #include "training/command.h"
@@ -16,7 +17,7 @@ namespace {
 struct ExportArguments {
   std::string checkpoint, out, size = "320x256";
   std::vector<std::string> others;
-  int stills_px = 0;
+  std::vector<int> stills_px;
   bool takes_last = false;
 };
 
@@ -46,7 +47,10 @@ void AddExportCommand(CLI::App& program, Action& action) {
   command->add_option("--size", arguments->size, "Input size, width x height, multiples of 32")->capture_default_str();
   command->add_option("--with", arguments->others,
                       "Other checkpoints: the mean of all their averaged weights is written");
-  command->add_option("--stills", arguments->stills_px, "Longer side at which `yorb detect` is to look at pictures")
+  command
+      ->add_option("--stills", arguments->stills_px,
+                   "Longer sides at which `yorb detect` is to look at pictures, a look each")
+      ->delimiter(',')
       ->check(CLI::Range(32, 4096));
   command->add_flag("--last", arguments->takes_last, "Export the weights of the last step, not the averaged ones");
   command->callback([arguments, &action] { action = [arguments] { return Export(*arguments); }; });

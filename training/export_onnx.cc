@@ -90,7 +90,8 @@ std::string RowTo(OnnxGraph& graph, const std::string& name, const std::vector<s
 
 }  // namespace
 
-std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size, int stills_px) {
+std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size,
+                       const std::vector<int>& stills_px) {
   const torch::NoGradGuard no_grad;
   const Layout& layout = network->layout;
   OnnxGraph graph;
@@ -120,7 +121,7 @@ std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size&
   graph.Metadata("stride", ListText(layout.strides, number));
   graph.Metadata("anchors", AnchorsText(layout));
   graph.Metadata("imgsz", ListText(std::array<int, 2>{size.height, size.width}, number));
-  if (stills_px > 0) graph.Metadata("stills", std::to_string(stills_px));
+  if (!stills_px.empty()) graph.Metadata("stills", ListText(stills_px, number));
   return graph.Bytes(layout.name);
 }
 

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 #include "training/class_table.h"
 #include "training/network.h"
@@ -14,7 +15,8 @@ namespace yorb {
 /// heads, (1, 3 * (5 + classes), H / stride, W / stride), named "stride8", "stride16" and "stride32". Batch norms and
 /// ImageNet's mean and deviation are folded into the convolutions. The metadata `names`, `stride`, `anchors` (pixels,
 /// one list of three width-height pairs a head) and `imgsz` (height, width) say the rest,
-/// `stills_px`, where it is not 0, as `stills` the longer side at which single pictures are best looked at.
-std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size, int stills_px = 0);
+/// `stills_px`, where there are any, as `stills` the longer sides at which single pictures are best looked at.
+std::string ExportOnnx(Network network, const ClassTable& table, const cv::Size& size,
+                       const std::vector<int>& stills_px = {});
 
 }  // namespace yorb

@@ -103,10 +103,13 @@ int KeypointValues(const OnnxModel& model) {
   return static_cast<int>(shape[0] * shape[1]);
 }
 
-/// `stills`: a whole number of pixels; anything else says nothing.
-int StillsSide(const OnnxModel& model) {
-  const std::vector<double> side = NumbersIn(Metadata(model, "stills"));
-  return side.size() == 1 && side[0] >= kCellSize && side[0] <= kLargestSize ? static_cast<int>(side[0]) : 0;
+/// `stills`: one or more numbers of pixels; anything else says nothing.
+std::vector<int> StillsSides(const OnnxModel& model) {
+  const std::vector<double> sides = NumbersIn(Metadata(model, "stills"));
+  const bool is_usable = sides.size() <= kMostLooks && std::all_of(sides.begin(), sides.end(), [](double side) {
+                           return side >= kCellSize && side <= kLargestSize;
+                         });
+  return is_usable ? std::vector<int>(sides.begin(), sides.end()) : std::vector<int>();
 }
 
 /// The producers of values, by the values' names.
@@ -145,7 +148,7 @@ Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {
   auto anchors = AnchorsOf(*model);
   if (!anchors) return named(anchors.error());
   network.anchors = *std::move(anchors);
-  network.stills_px = StillsSide(*model);
+  network.stills_px = StillsSides(*model);
   network.num_keypoint_values = KeypointValues(*model);
   network.model = *std::move(model);
   return network;

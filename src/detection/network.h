@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,15 @@ struct Network {
   std::string names_source;        ///< "its metadata", a file's name
   std::string names_file;          ///< beside it, where they stand there
   std::vector<float> anchors;      ///< of raw maps, px; empty: the standard ones
-  int stills_px = 0;               ///< longer side at which it sees single pictures best; 0: not known
+  std::vector<int> stills_px;      ///< longer sides at which it sees single pictures best; none: not known
   int num_keypoint_values = 0;     ///< of a pose network, behind its classes
 };
 
 /// Input sizes are whole multiples of it, since the coarsest maps have cells of this size.
 constexpr int kCellSize = 32;
+
+/// A single picture is looked at so many times at most.
+constexpr size_t kMostLooks = 8;
 
 /// Reads a network's file. `size`, where it is not empty, is taken for the input, whatever the file says; otherwise the
 /// file's own, that of its metadata (`imgsz`) where it is left open, or 640x640. Bad input for what is no network of

@@ -76,7 +76,7 @@ TEST(FitToPictures, EveryShapeShowsTheSame) {
   auto detector = Open(folder, RedCells());
   ASSERT_TRUE(detector) << detector.error().message;
   ExpectOneRed(**detector, OneRed(64, 64), 1);
-  ASSERT_TRUE((*detector)->FitToPictures(128));
+  ASSERT_TRUE((*detector)->FitToPictures({128}));
   for (const cv::Size size : {cv::Size(128, 64), cv::Size(128, 128), cv::Size(64, 128), cv::Size(128, 96)}) {
     ExpectOneRed(**detector, OneRed(size.width, size.height), 1);
     ExpectOneRed(**detector, OneRed(size.width, size.height), 1);  // by the engine that is there now
@@ -92,17 +92,33 @@ TEST(FitToPictures, TheFileSaysHowLarge) {
   net.model.metadata["stills"] = "128";
   auto detector = Open(folder, net);
   ASSERT_TRUE(detector) << detector.error().message;
-  ASSERT_TRUE((*detector)->FitToPictures(0));
+  ASSERT_TRUE((*detector)->FitToPictures({}));
   ExpectOneRed(**detector, OneRed(128, 64), 1);
   EXPECT_EQ((*detector)->input_size(), cv::Size(64, 64));
+}
+
+TEST(FitToPictures, SeveralLooksSeeAThingWhereItIs) {
+  const TestFolder folder;
+  TestNetwork net = RedCells();
+  net.model.metadata["stills"] = "[192, 192, 96]";
+  auto detector = Open(folder, net);
+  ASSERT_TRUE(detector) << detector.error().message;
+  ASSERT_TRUE((*detector)->FitToPictures({}));
+  const cv::Mat picture = OneRed(192, 64);
+  const auto found = (*detector)->Detect(ImageSetOf(picture));
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->boxes.size(), 1u);
+  EXPECT_NEAR(found->boxes[0].confidence, 2. / 3, .01);  // at 96 px it is half a cell and not red enough
+  ASSERT_TRUE((*detector)->FitToPictures({192, 192}));
+  ExpectOneRed(**detector, picture, 1);  // the second look sees it mirrored
 }
 
 TEST(FitToPictures, ANetworkOfOneSizeKeepsIt) {
   const TestFolder folder;
   auto detector = Open(folder, TwoColourNetwork());
   ASSERT_TRUE(detector) << detector.error().message;
-  EXPECT_TRUE((*detector)->FitToPictures(0));
-  const Status refused = (*detector)->FitToPictures(128);
+  EXPECT_TRUE((*detector)->FitToPictures({}));
+  const Status refused = (*detector)->FitToPictures({128});
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, testing::HasSubstr("64x64 alone"));
   ExpectOneRed(**detector, OneRed(64, 64), 1);

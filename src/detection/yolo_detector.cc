@@ -11,6 +11,7 @@
 #include "core/log.h"
 #include "core/parallel.h"
 #include "detection/class_names.h"
+#include "detection/fuse_looks.h"
 #include "detection/head_layout.h"
 #include "detection/letterbox.h"
 
@@ -50,6 +51,22 @@ cv::Mat InputOf(const ImageSet& images, const Letterbox& fit, int channels) {
   cv::Mat rgb;
   cv::cvtColor(framed, rgb, has_colour ? cv::COLOR_BGR2RGB : cv::COLOR_GRAY2RGB);
   return rgb;
+}
+
+/// Left becomes right.
+ImageSet Mirrored(const ImageSet& images) {
+  constexpr int kAboutTheVertical = 1;
+  ImageSet mirrored;
+  cv::flip(images.grey, mirrored.grey, kAboutTheVertical);
+  if (!images.colour.empty()) cv::flip(images.colour, mirrored.colour, kAboutTheVertical);
+  return mirrored;
+}
+
+void Mirror(double width_px, std::vector<Box>& boxes) {
+  for (Box& box : boxes) {
+    const double left = box.left;
+    box.left = width_px - box.right, box.right = width_px - left;
+  }
 }
 
 }  // namespace
@@ -136,43 +153,51 @@ void YoloDetector::ReadOnlyWhatCounts(ShapedEngine& shaped) const {
   }
 }
 
-Status YoloDetector::FitToPictures(int long_side_px) {
+Status YoloDetector::FitToPictures(std::vector<int> long_sides_px) {
+  // A box that one look of several is little sure of still counts for what the others saw.
+  constexpr double kFaint = .01;
   auto network = OpenNetwork(own_.input.path, {});
   if (!network) return network.error();
-  const bool is_asked_for = long_side_px > 0;
-  if (!is_asked_for) long_side_px = network->stills_px;
-  if (long_side_px == 0) return Status::Ok();
-  long_side_px_ = long_side_px;
+  const bool is_asked_for = !long_sides_px.empty();
+  if (!is_asked_for) long_sides_px = network->stills_px;
+  if (long_sides_px.empty()) return Status::Ok();
   options_.engine = own_.engine->name() == "OpenCV DNN" ? "opencv" : "xnnpack";  // those that do not mind the size
+  const int first_px = long_sides_px.front();
   if (own_.layout.kind == LayoutKind::kRawMaps) stills_ = *std::move(network);
-  if (stills_ && EngineFor({long_side_px, long_side_px})) {
-    LogInfo(own_.input.path + ": pictures are looked at in their own shape, the longer side of " +
-            std::to_string(long_side_px) + " px");
-    return Status::Ok();
+  if (!stills_ || !EngineFor({first_px, first_px}, first_px)) {
+    stills_.reset();
+    if (!is_asked_for) return Status::Ok();
+    return BadInput(own_.input.path + " runs at its own size of " + std::to_string(own_.input.width) + "x" +
+                    std::to_string(own_.input.height) + " alone; leave --size out, or export the network with another");
   }
-  stills_.reset();
-  if (!is_asked_for) return Status::Ok();
-  return BadInput(own_.input.path + " runs at its own size of " + std::to_string(own_.input.width) + "x" +
-                  std::to_string(own_.input.height) + " alone; leave --size out, or export the network with another");
+  if (long_sides_px.size() > 1) decode_.confidence = std::min(decode_.confidence, kFaint);
+  ReadOnlyWhatCounts(own_);
+  others_.clear();  // they read only what counted before
+  std::string sides;
+  for (const int side_px : long_sides_px) sides += (sides.empty() ? "" : ", ") + std::to_string(side_px);
+  LogInfo(own_.input.path + ": pictures are looked at in their own shape, the longer side of " + sides + " px");
+  long_sides_px_ = std::move(long_sides_px);
+  return Status::Ok();
 }
 
-Result<ShapedEngine*> YoloDetector::EngineFor(const cv::Size& picture) {
-  constexpr size_t kMostEngines = 8;
-  if (!stills_) return &own_;
-  const cv::Size size = InputSizeFor(picture, long_side_px_);
+Result<ShapedEngine*> YoloDetector::EngineFor(const cv::Size& picture, int long_side_px) {
+  const cv::Size size = InputSizeFor(picture, long_side_px);
   if (size == own_.size()) return &own_;
   const auto found =
-      std::find_if(others_.begin(), others_.end(), [&](const ShapedEngine& other) { return other.size() == size; });
-  if (found != others_.end()) return &*found;
+      std::find_if(others_.begin(), others_.end(), [&](const auto& other) { return other->size() == size; });
+  if (found != others_.end()) {
+    std::rotate(found, found + 1, others_.end());
+    return others_.back().get();
+  }
   stills_->input.width = size.width, stills_->input.height = size.height;
   auto made = MakeShapedEngine(*stills_, options_);
   if (!made) return made.error();
   if (made->layout.kind != own_.layout.kind || made->layout.num_classes != own_.layout.num_classes)
     return BadInput(own_.input.path + " gives something else at another size");
-  if (others_.size() == kMostEngines) others_.erase(others_.begin());
+  if (others_.size() == kMostLooks) others_.erase(others_.begin());
   ReadOnlyWhatCounts(*made);
-  others_.push_back(*std::move(made));
-  return &others_.back();
+  others_.push_back(std::make_unique<ShapedEngine>(*std::move(made)));
+  return others_.back().get();
 }
 
 Result<std::vector<RawBox>> YoloDetector::Decode(const std::vector<TensorView>& outputs, const HeadLayout& layout) {
@@ -191,28 +216,70 @@ Result<std::vector<RawBox>> YoloDetector::Decode(const std::vector<TensorView>& 
                   "with boxes in pixels");
 }
 
-Result<Detections> YoloDetector::Detect(const ImageSet& images) {
-  const auto shaped = EngineFor(images.grey.size());
-  if (!shaped) return shaped.error();
-  const auto& [input, engine, layout, blank_outputs] = **shaped;
-  const Letterbox fit = FitLetterbox(images.grey.size(), (*shaped)->size());
+Result<std::vector<Box>> YoloDetector::Look(const ImageSet& images, ShapedEngine& shaped) {
+  const auto& [input, engine, layout, blank_outputs] = shaped;
+  const Letterbox fit = FitLetterbox(images.grey.size(), shaped.size());
   const auto outputs = engine->Run(InputOf(images, fit, input.channels));
   if (!outputs) return outputs.error();
   if (layout.kind == LayoutKind::kCornerRows && !HaveClassNumbers((*outputs)[layout.output]))
     return BadInput(input.path + " is no detector that is read: the last numbers of its rows, " +
                     ShapeText((*outputs)[layout.output].dims) +
                     ", are no classes; end-to-end rows are corners, confidence and class number");
-  auto boxes = Decode(*outputs, layout);
-  if (!boxes) return boxes.error();
+  auto raw_boxes = Decode(*outputs, layout);
+  if (!raw_boxes) return raw_boxes.error();
   const double most_overlap = layout.kind == LayoutKind::kCornerRows ? 1.0 : options_.most_overlap;
-  Detections detections;
-  for (const RawBox& raw : SuppressDoubles(*std::move(boxes), most_overlap, kMostBoxes)) {
+  std::vector<Box> boxes;
+  for (const RawBox& raw : SuppressDoubles(*std::move(raw_boxes), most_overlap, kMostBoxes)) {
     const Box whole{NameOf(raw.label),         raw.confidence,
                     fit.ToPictureX(raw.left),  fit.ToPictureY(raw.top),
                     fit.ToPictureX(raw.right), fit.ToPictureY(raw.bottom)};
     Box box = Cut(whole, fit.picture.width, fit.picture.height);
-    if (HasArea(box)) detections.boxes.push_back(std::move(box));
+    if (HasArea(box)) boxes.push_back(std::move(box));
   }
+  return boxes;
+}
+
+Result<std::vector<Box>> YoloDetector::LookAtStill(const ImageSet& images) {
+  constexpr double kSameThing = .5;  // overlap (IoU) from which on evaluations take two boxes for one thing
+  std::vector<ShapedEngine*> engines, distinct;
+  for (const int side_px : long_sides_px_) {
+    const auto shaped = EngineFor(images.grey.size(), side_px);
+    if (!shaped) return shaped.error();
+    engines.push_back(*shaped);
+    if (std::find(distinct.begin(), distinct.end(), *shaped) == distinct.end()) distinct.push_back(*shaped);
+  }
+  if (engines.size() == 1) return Look(images, *engines.front());
+  const ImageSet mirrored = Mirrored(images);
+  std::vector<Result<std::vector<Box>>> looks(engines.size(), std::vector<Box>());
+  const auto look = [&](size_t i) {
+    const bool is_mirrored = i % 2 == 1;
+    looks[i] = Look(is_mirrored ? mirrored : images, *engines[i]);
+    if (is_mirrored && looks[i]) Mirror(images.grey.cols, *looks[i]);
+  };
+  ParallelFor(distinct.size(), NumHardwareThreads(), [&](size_t k) {
+    // An engine runs on one thread at a time. The largest, usually the last one, begins.
+    const ShapedEngine* mine = distinct[distinct.size() - 1 - k];
+    for (size_t i = 0; i < engines.size(); ++i) {
+      if (engines[i] == mine) look(i);
+    }
+  });
+  std::vector<std::vector<Box>> seen;
+  for (auto& boxes : looks) {
+    if (!boxes) return boxes;
+    seen.push_back(*std::move(boxes));
+  }
+  std::vector<Box> boxes = FuseLooks(seen, kSameThing);
+  const auto is_weak = [&](const Box& box) { return box.confidence < options_.confidence; };
+  boxes.erase(std::remove_if(boxes.begin(), boxes.end(), is_weak), boxes.end());
+  if (boxes.size() > kMostBoxes) boxes.resize(kMostBoxes);
+  return boxes;
+}
+
+Result<Detections> YoloDetector::Detect(const ImageSet& images) {
+  auto boxes = stills_ ? LookAtStill(images) : Look(images, own_);
+  if (!boxes) return boxes.error();
+  Detections detections;
+  detections.boxes = *std::move(boxes);
   return detections;
 }
 

@@ -33,10 +33,11 @@ class YoloDetector : public Detector {
   /// Of the network's input, px, as it was opened.
   cv::Size input_size() const { return own_.size(); }
 
-  /// From now on each picture is looked at in its own shape, scaled so that its longer side is `long_side_px` (0: as
-  /// many as the file names under `stills`; where it names none, nothing changes). For stills: each shape costs an
-  /// engine. Bad input where the network runs at its own size alone.
-  Status FitToPictures(int long_side_px);
+  /// From now on each picture is looked at in its own shape, scaled so that its longer side has `long_sides_px` (none:
+  /// as many as the file names under `stills`; where it names none, nothing changes). Where there are several, it is
+  /// looked at with each, every second time mirrored, and what was seen is put together (`FuseLooks`): slower, and
+  /// surer. For stills: each shape costs an engine. Bad input where the network runs at its own size alone.
+  Status FitToPictures(std::vector<int> long_sides_px);
 
   /// Every class of a box that reaches the confidence makes a box of its own, as evaluations of many classes want it.
   void TakeAllClasses() { decode_.takes_all_classes = true; }
@@ -52,14 +53,20 @@ class YoloDetector : public Detector {
   /// The boxes of outputs, once it is sure that they are in pixels.
   Result<std::vector<RawBox>> Decode(const std::vector<TensorView>& outputs, const HeadLayout& layout);
 
-  /// The engine for a picture of this size.
-  Result<ShapedEngine*> EngineFor(const cv::Size& picture);
+  /// The engine for a picture of this size, scaled to a longer side. It stays for kMostLooks further calls at least.
+  Result<ShapedEngine*> EngineFor(const cv::Size& picture, int long_side_px);
+
+  /// What the network sees in a picture, doubles suppressed.
+  Result<std::vector<Box>> Look(const ImageSet& images, ShapedEngine& shaped);
+
+  /// What it sees in the looks of FitToPictures, on as many threads as the machine has.
+  Result<std::vector<Box>> LookAtStill(const ImageSet& images);
 
   DetectionOptions options_;
-  ShapedEngine own_;               // of the size that the network was opened with
-  std::optional<Network> stills_;  // what engines of other sizes are made of
-  int long_side_px_ = 0;           // of a picture that is looked at in its own shape
-  std::vector<ShapedEngine> others_;
+  ShapedEngine own_;                                   // of the size that the network was opened with
+  std::optional<Network> stills_;                      // what engines of other sizes are made of
+  std::vector<int> long_sides_px_;                     // of a picture that is looked at in its own shape, a look each
+  std::vector<std::unique_ptr<ShapedEngine>> others_;  // of other sizes, the one asked for last behind
   DecodeOptions decode_;
   bool is_in_pixels_ = false;  // a box has shown it: from then on a tiny one in the corner is nothing odd
   std::vector<std::string> names_;
