@@ -52,6 +52,15 @@ TEST(CalibrationFile, RosCalibratorAndMessage) {
           "D: [.1, -.2, .003, .004, .5, .6, .7, .8]\nK: [525.5, 0.0, 319.25, 0.0, 526.5, 239.75, 0.0, 0.0, 1.0]\n"
           "R: [1.0]\nP: [1.0]\nbinning_x: 0\n---\nheight: 1\n"),
       {.1, -.2, .003, .004, .5, .6, .7, .8});
+  const std::string message =
+      "height: 480\nwidth: 640\ndistortion_model: plumb_bob\nD: []\n"
+      "K: [525.5, 0.0, 319.25, 0.0, 526.5, 239.75, 0.0, 0.0, 1.0]\n---\n";
+  for (const std::string& messages : {message, message + message, "---\n" + message + "...\n"}) {
+    const Rig echoed = ReadCalib(messages + "depth_factor: 1000\n");
+    ExpectCamera(echoed, {});
+    EXPECT_EQ(echoed.depth_factor, 1000) << "written below what `rostopic echo` wrote, behind its ---";
+  }
+  EXPECT_THAT(CalibComplaint(message + "depth_factor: many\n"), HasSubstr("line 7: depth_factor"));
   ExpectCamera(ReadCalib("height: 480\nwidth: 640\ndistortion_model: plumb_bob\nd:\n- 0.0\n- 0.0\n- 0.0\n- 0.0\n- 0.0\n"
                          "k:\n- 525.5\n- 0.0\n- 319.25\n- 0.0\n- 526.5\n- 239.75\n- 0.0\n- 0.0\n- 1.0\n"),
                {});

@@ -42,24 +42,34 @@ std::string WithBlankAfterKey(std::string line) {
   return line;
 }
 
+/// One of the documents of a file, which `---` parts.
+struct Document {
+  int num_lines_before = 0;  ///< in the file
+  std::string text;
+};
+
 /// What strict YAML rejects and OpenCV accepts: the %YAML:1.0 header, tabs between words, CRLF, keys without a blank.
-/// Only the first document is kept. Line numbers stay as they are.
-std::string ToStrictYaml(std::string_view text) {
-  std::string strict;
+/// Lines stay lines, so that they can be counted.
+std::vector<Document> ToStrictYaml(std::string_view text) {
+  std::vector<Document> documents(1);
   bool has_content = false;
-  while (!text.empty()) {
+  for (int number = 0; !text.empty(); ++number) {
     const size_t end = std::min(text.find('\n'), text.size());
     std::string line(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     while (!line.empty() && line.back() == '\r') line.pop_back();
     std::replace(line.begin(), line.end(), '\t', ' ');
-    if (IsDocumentMark(line) && has_content) break;
+    if (IsDocumentMark(line) && has_content) {
+      documents.push_back({number, ""});
+      has_content = false;
+    }
     if (IsDirective(line) || IsDocumentMark(line)) line.clear();
     const std::string_view words = Trim(line);
     has_content = has_content || (!words.empty() && words.front() != '#');
-    strict += WithBlankAfterKey(std::move(line)) + "\n";
+    documents.back().text += WithBlankAfterKey(std::move(line)) + "\n";
   }
-  return strict;
+  if (!has_content && documents.size() > 1) documents.pop_back();  // the last mark ends the file
+  return documents;
 }
 
 /// Lays a tree of maps and lists out as keys with dots. False when it is too deep or too large to be a camera file.
@@ -96,18 +106,36 @@ bool Flatten(const YAML::Node& node, const std::string& key, int depth, KeyTable
   return true;
 }
 
-Result<KeyTable> ReadKeys(const std::string& text, const std::string& path) {
-  if (Trim(text).empty()) return BadInput(path + " is empty, a camera file is expected");
-  if (Trim(text).front() == '<') return BadInput(path + " is XML; save the calibration as YAML");
+/// The keys of one document.
+Result<KeyTable> ReadKeys(const Document& document, const std::string& path) {
   KeyTable table{path, {}};
   try {
-    const YAML::Node root = YAML::Load(ToStrictYaml(text));
+    const YAML::Node root = YAML::Load(document.text);
     if (!root.IsMap()) return BadInput(path + " is no camera file: it holds no keys with values");
     if (!Flatten(root, "", 0, table)) return BadInput(path + " is no camera file: it is nested too deep or too large");
   } catch (const YAML::Exception& error) {
-    return BadInput(path + ", line " + std::to_string(error.mark.line + 1) + ": no valid YAML: " + error.msg);
+    const int line = document.num_lines_before + error.mark.line + 1;
+    return BadInput(path + ", line " + std::to_string(line) + ": no valid YAML: " + error.msg);
   }
+  for (KeyEntry& entry : table.entries) entry.line += document.num_lines_before;
   return table;
+}
+
+/// What the first document says counts: `rostopic echo` writes a message after the other. Later ones add what it lacks,
+/// such as a depth factor written below a message, which ends in `---`.
+Result<KeyTable> ReadKeys(const std::string& text, const std::string& path) {
+  if (Trim(text).empty()) return BadInput(path + " is empty, a camera file is expected");
+  if (Trim(text).front() == '<') return BadInput(path + " is XML; save the calibration as YAML");
+  KeyTable all{path, {}};
+  for (const Document& document : ToStrictYaml(text)) {
+    auto keys = ReadKeys(document, path);
+    if (!keys) return keys.error();
+    const size_t num_before = all.entries.size();
+    for (KeyEntry& entry : keys->entries) {
+      if (num_before == 0 || !all.Has(entry.key)) all.entries.push_back(std::move(entry));
+    }
+  }
+  return all;
 }
 
 /// The same picture at another size: halves of pixels move, since pixel (0, 0) is the centre of a pixel.
