@@ -43,6 +43,9 @@ int TimeDecimals(HeaderWord word) {
       }
     }
   }
+  // Beside whole seconds, nanoseconds are the rest of a stamp in two columns, which is not to be lost: two words for
+  // time.
+  if (IsOneOf(word.name, {"nsec", "nsecs", "nanosec", "nanosecs", "nanoseconds"})) return 9;
   if (!IsOneOf(word.name, {"timestamp", "timestamps", "time", "t", "stamp", "sec", "secs", "seconds"})) return -2;
   if (IsOneOf(word.unit, {"ns", "nsec"})) return 9;
   if (IsOneOf(word.unit, {"us", "usec"})) return 6;

@@ -65,6 +65,13 @@ TEST(TrajectoryIo, HeadersSayTheOrderAndTheUnit) {
                "1305031102.211214 1 0 0 0 1.5 -2.25 3.25\n1305031102.243211 0 1 0 0 1.75 -2.25 3.25\n")));
 }
 
+TEST(TrajectoryIo, StampsInTwoColumnsAreRefusedAndNotCutToSeconds) {
+  for (const char* header : {"secs,nsecs,x,y,z,qx,qy,qz,qw", "sec,nanosec,x,y,z,qx,qy,qz,qw"}) {
+    const std::string rows = "\n1305031102,175304000,0,0,0,0,0,0,1\n1305031102,211214000,1,0,0,0,0,0,1\n";
+    EXPECT_THAT(Refusal(header + rows), HasSubstr("line 1: neither numbers nor a header")) << header;
+  }
+}
+
 const std::string kEurocHeader =
     "#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], q_RS_z [], v_RS_R_x [m "
     "s^-1]\n";
