@@ -43,6 +43,13 @@ void Add(TimedBoxes moment, BoxFile& file) {
   }
 }
 
+/// A number that is there and can be no time in seconds.
+Error NoSeconds(const std::string& where, const std::string& stamp) {
+  return BadInput(where + ": the time stamp " + stamp.substr(0, 40) +
+                  " is none in seconds; if it counts nanoseconds (or micro- or milliseconds), write seconds with a " +
+                  "decimal point, as the pictures' stamps are");
+}
+
 Status ReadPeople(const TextFile& text, BoxFile& file) {
   for (const TextLine& line : text.lines) {
     const auto words = SplitAtBlanks(line.text);
@@ -51,10 +58,12 @@ Status ReadPeople(const TextFile& text, BoxFile& file) {
     for (size_t i = 1; i < words.size(); ++i) {
       if (const auto number = ParseDouble(words[i])) numbers.push_back(*number);
     }
-    if (!time || (words.size() != 5 && words.size() != 6) || numbers.size() + 1 != words.size()) {
+    if ((words.size() != 5 && words.size() != 6) || numbers.size() + 1 != words.size() ||
+        (!time && !ParseDouble(words.front()))) {
       return BadInput(text.Where(line) + ": a line is 'timestamp left top right bottom visible_px', or JSON with " +
                       "timestamp and boxes; here stands '" + line.text.substr(0, 80) + "'");
     }
+    if (!time) return NoSeconds(text.Where(line), std::string(words.front()));
     TimedBoxes moment{*time, {}, line.number};
     Add(Box{"person", 1, numbers[0], numbers[1], numbers[2], numbers[3]}, moment);
     Add(std::move(moment), file);
@@ -140,13 +149,14 @@ Status ReadJsonLines(const TextFile& text, BoxFile& file) {
     if (!json.is_object())
       return BadInput(text.Where(line) + ": is no JSON object; a line is {\"timestamp\": 1.5, \"boxes\": [...]}");
     const auto time = TimeOf(json);
+    if (!time && json.contains("timestamp")) return NoSeconds(text.Where(line), json["timestamp"].dump());
     if (!time) return BadInput(text.Where(line) + ": has no timestamp in seconds");
     Json list = Json::array();
     const bool is_flat = json.contains("box") || json.contains("left");
     for (const char* key : {"boxes", "detections"}) {
       if (json.contains(key)) list = json[key];
     }
-    if (is_flat) list.push_back(json);
+    if (is_flat && list.is_array()) list.push_back(json);
     if (!list.is_array() || (list.empty() && !json.contains("boxes") && !json.contains("detections")))
       return BadInput(text.Where(line) + ": has no list of boxes");
     TimedBoxes moment{*time, {}, line.number};

@@ -96,6 +96,8 @@ TEST(BoxFile, BadLinesAreNamed) {
        {"1.5 1 2 3 4 5\n1.6 a b c d\n", "1.5 1 2 3 4 5\n1.6 1 2 3\n",
         "{\"timestamp\": 1, \"boxes\": []}\n{\"boxes\": []}\n", "{\"timestamp\": 1, \"boxes\": []}\nperson\n",
         "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2}\n",
+        "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2, \"boxes\": \"none\", \"box\": [1, 2, 3, 4]}\n",
+        "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2, \"boxes\": {}, \"box\": [1, 2, 3, 4]}\n",
         "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2, \"boxes\": [{\"name\": 90, \"left\": 1}]}\n",
         "{\"timestamp\": 1, \"boxes\": []}\n{\"timestamp\": 2, \"boxes\": [{\"name\": \"person\", \"left\": 1}]}\n"}) {
     const auto file = Read(text);
@@ -104,6 +106,15 @@ TEST(BoxFile, BadLinesAreNamed) {
   }
   EXPECT_THAT(Read("1.5 0.1 0.2 0.3 0.4 1\n").error().message, HasSubstr("fractions"));
   EXPECT_EQ(Read("1.5 30 20 10 40 1\n1.5 nan 2 3 4 1\n1.5 10 20 30 40 1\n")->num_dropped(), 2u);
+}
+
+TEST(BoxFile, StampsThatCountNanosecondsAreRefusedWithAWordAboutTheUnit) {
+  for (const char* text : {"1600000000033333000 10 20 30 40 5\n", "1600000000033.333 10 20 30 40\n",
+                           "{\"timestamp\": 1600000000033333000, \"boxes\": []}\n",
+                           "{\"timestamp\": \"1600000000033333000\", \"boxes\": []}\n"}) {
+    EXPECT_THAT(Read(text).error().message,
+                AllOf(HasSubstr("line 1"), HasSubstr("160000000003"), HasSubstr("nanoseconds")));
+  }
 }
 
 TEST(FileDetector, ABoxBelongsToTheNearestFrameWithin15Milliseconds) {
