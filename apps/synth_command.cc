@@ -54,6 +54,7 @@ Result<Rig> RigOf(const SynthArguments& arguments) {
   const auto fields = SplitAt(*arguments.distortion, ',');
   if (fields.size() != 4 && fields.size() != 5 && fields.size() != 8)
     return BadInput("--distortion takes 4, 5 or 8 numbers with commas between them: k1,k2,p1,p2[,k3[,k4,k5,k6]]");
+  rig.camera.distortion = {};  // a list that is shorter than the camera's leaves none of its numbers behind
   for (size_t i = 0; i < fields.size(); ++i) {
     const auto number = ParseDouble(fields[i]);
     if (!number || !std::isfinite(*number))

@@ -293,6 +293,13 @@ TEST_F(Program, ASignalWhileStartingIsHeededToo) {
   }
 }
 
+TEST_F(Program, SynthTakesAShortDistortionInPlaceOfAllOfTheCameras) {
+  const Outcome outcome = Call({"synth", "xyz", "--out", In("flat"), "--frames", "1", "--width", "128", "--height",
+                                "96", "--camera", "tum_fr1", "--distortion", "0,0,0,0"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(*ReadWholeText(In("flat/camera.yaml")), HasSubstr("distortion: []"));
+}
+
 TEST_F(Program, VocabulariesAreTrainedReadAndRefused) {
   const Outcome trained = Call({"vocab", "train", In("room"), "--out", In("own.yvoc"), "--levels", "2"});
   EXPECT_EQ(trained.code, 0) << trained.err;
