@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "apps/command.h"
 #include "apps/progress.h"
@@ -13,6 +14,7 @@
 #include "core/log.h"
 #include "core/text.h"
 #include "runs/run.h"
+#include "runs/run_folder.h"
 
 namespace yorb {
 namespace {
@@ -46,7 +48,27 @@ Result<OpenedSequence> Open(const RunArguments& arguments) {
   return OpenSequence(sequence);
 }
 
+/// What is read must not give way to a result of the same name: a config.yaml of one's own, with `--out .` say. That of
+/// an older run in the folder may, as all of that run does.
+Status CheckInputsKept(const RunArguments& arguments) {
+  if (!arguments.out) return Status::Ok();
+  std::error_code ignored;
+  const SequenceArguments& given = arguments.sequence;
+  const bool has_older_run = std::filesystem::exists(InRunFolder(*arguments.out, "metrics.json"), ignored);
+  const std::pair<const char*, const std::optional<std::string>&> inputs[] = {
+      {"--config", given.config}, {"--camera", given.camera}, {"--detections", given.detections}};
+  for (const auto& [option, path] : inputs) {
+    if (!path || (has_older_run && std::string(option) == "--config")) continue;
+    const std::string written = std::filesystem::path(*path).filename().string();
+    if (IsResultName(written) && std::filesystem::equivalent(*path, InRunFolder(*arguments.out, written), ignored))
+      return BadInput(std::string(option) + " " + *path + " would be overwritten by the run's own " + written +
+                      "; name another folder with --out, or rename the file");
+  }
+  return Status::Ok();
+}
+
 Result<RunSummary> RunAsAsked(const RunArguments& arguments) {
+  if (const Status kept = CheckInputsKept(arguments); !kept) return kept.error();
   auto sequence = Open(arguments);
   if (!sequence) return sequence.error();
   RunOptions options;

@@ -293,6 +293,22 @@ TEST_F(Program, ASignalWhileStartingIsHeededToo) {
   }
 }
 
+TEST_F(Program, RunKeepsItsInputsFromItsResults) {
+  const std::string room = In("room"), out = In("kept"), mine = "features:\n  wanted: 400  # mine\n";
+  std::filesystem::create_directory(out);
+  for (const char* name : {"config.yaml", "log.txt"}) {
+    ASSERT_TRUE(WriteFileWhole(out + "/" + name, name[0] == 'c' ? mine : "")) << name;
+  }
+  ExpectRefused("--config", {"run", room, "--config", out + "/config.yaml", "--out", out});
+  ExpectRefused("--detections", {"run", room, "--detections", out + "/../kept/log.txt", "--out", out + "/"});
+  EXPECT_EQ(*ReadWholeText(out + "/config.yaml"), mine);
+  const std::string again = In("again_and_again");
+  for (const char* config : {"/kept/config.yaml", "/again_and_again/config.yaml"}) {
+    const Outcome outcome = Call({"run", room, "--config", Folder() + config, "--out", again, "--dynamics", "off"});
+    EXPECT_EQ(outcome.code, 0) << "an older run's may be replaced: " << outcome.err;
+  }
+}
+
 TEST_F(Program, SynthTakesAShortDistortionInPlaceOfAllOfTheCameras) {
   const Outcome outcome = Call({"synth", "xyz", "--out", In("flat"), "--frames", "1", "--width", "128", "--height",
                                 "96", "--camera", "tum_fr1", "--distortion", "0,0,0,0"});
