@@ -57,6 +57,9 @@ Result<LearningOptions> OptionsOf(const TrainArguments& a) {
 Status CheckOut(const std::string& out) {
   std::error_code ignored;
   if (out.empty() || fs::is_directory(out, ignored)) return BadInput("--out '" + out + "' must name a file");
+  const bool has_content = fs::is_regular_file(out, ignored) && fs::file_size(out, ignored) > 0;
+  if (has_content && !BeginsAsVocabulary(out))
+    return BadInput("--out " + out + " is there and no vocabulary of this program; name another file");
   const std::string probe = out + ".probe";
   if (const Status written = WriteFileWhole(probe, ""); !written) return BadInput("--out: " + written.error().message);
   fs::remove(probe, ignored);

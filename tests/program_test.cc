@@ -330,6 +330,10 @@ TEST_F(Program, VocabulariesAreTrainedReadAndRefused) {
   ExpectRefused("own.yvoc", {"vocab", "info", In("own.yvoc")});
   ExpectRefused("own.yvoc", {"run", In("room"), "--set", "places.vocabulary=" + In("own.yvoc"), "--out", In("no")});
   EXPECT_FALSE(std::filesystem::exists(In("no")));
+  const std::string picture = In("picture.png");  // `--out pictures/*.png`, say
+  ASSERT_TRUE(WriteFileWhole(picture, "a picture"));
+  ExpectRefused("no vocabulary", {"vocab", "train", In("room"), "--out", picture});
+  EXPECT_EQ(*ReadWholeText(picture), "a picture");
   ExpectRefused("--levels", {"vocab", "train", In("room"), "--out", In("a.yvoc"), "--levels", "0"});
   ExpectRefused("missing", {"vocab", "train", In("missing"), "--out", In("a.yvoc")});
   ExpectRefused("--out", {"vocab", "train", In("room"), "--out", "/dev/null/a.yvoc"});

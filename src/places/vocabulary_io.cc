@@ -38,12 +38,6 @@ uint64_t DigestOf(std::string_view bytes) {
   return digest.value();
 }
 
-bool BeginsAsOurs(const std::string& path) {
-  char begin[kMagic.size()] = {};
-  std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
-  return std::string_view(begin, sizeof begin) == kMagic;
-}
-
 Result<std::string> ReadBytes(const std::string& path) {
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   std::string bytes(static_cast<size_t>(std::max<std::streamoff>(stream.tellg(), 0)), '\0');
@@ -103,8 +97,14 @@ void Append(const T* rows, size_t count, std::string& bytes) {
 
 }  // namespace
 
+bool BeginsAsVocabulary(const std::string& path) {
+  char begin[kMagic.size()] = {};
+  std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
+  return std::string_view(begin, sizeof begin) == kMagic;
+}
+
 Result<VocabularyPtr> ReadVocabulary(const std::string& path) {
-  if (BeginsAsOurs(path)) {
+  if (BeginsAsVocabulary(path)) {
     const auto bytes = ReadBytes(path);
     return bytes ? FromBytes(path, *bytes) : bytes.error();
   }

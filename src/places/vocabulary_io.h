@@ -13,6 +13,9 @@ namespace yorb {
 /// names the file, what is wrong, the line of a text, and the remedy.
 Result<VocabularyPtr> ReadVocabulary(const std::string& path);
 
+/// Whether a file begins as those of WriteVocabulary do.
+bool BeginsAsVocabulary(const std::string& path);
+
 /// Writes our own format, whole or not at all: 32 bytes a node and a checksum, so that reading takes milliseconds.
 Status WriteVocabulary(const Vocabulary& vocabulary, const std::string& path);
 
