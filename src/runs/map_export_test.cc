@@ -180,6 +180,17 @@ TEST_F(ExportedMaps, TellOfAnOlderExportBesideThem) {
   EXPECT_TRUE(Has("x_2.txt")) << "a folder is no export";
 }
 
+TEST_F(ExportedMaps, NeverTakeThePlaceOfTheMap) {
+  for (const char* map : {"own.ply", "own_3.ply"}) {  // the first of the three files, and the last
+    std::filesystem::copy_file(In("three.map"), In(map));
+    const auto refused = ExportMap(In(map), folder_ + "./own.ply", {}, {});
+    ASSERT_FALSE(refused.ok()) << map;
+    EXPECT_THAT(refused.error().message, HasSubstr("overwrite the map " + In(map)));
+    EXPECT_TRUE(ReadMapFile(In(map)).ok());
+    std::filesystem::remove(In(map));
+  }
+}
+
 TEST_F(ExportedMaps, AreRefusedWithOptionsThatOnlyDenseCloudsHave) {
   DenseRequest request;
   request.named_option = "--masks";

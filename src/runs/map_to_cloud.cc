@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "runs/map_to_cloud.h"
 
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -123,6 +124,17 @@ Result<ExportReport> ExportLandmarksOrKeyframes(const SavedMap& saved, const std
   return report;
 }
 
+/// Bad input where a file of the export would take the place of the map that it is made of.
+Status CheckMapKept(const std::string& file, const SavedMap& saved, const std::string& out) {
+  const size_t num_submaps = RootsInOrder(saved).size();
+  for (size_t number = 1; number <= num_submaps; ++number) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(file, NumberedPath(out, number), ignored))
+      return BadInput("--out " + out + " would overwrite the map " + file + "; name another file");
+  }
+  return Status::Ok();
+}
+
 }  // namespace
 
 Result<ExportReport> ExportMap(const std::string& file, const std::string& out, const DenseRequest& dense,
@@ -134,6 +146,7 @@ Result<ExportReport> ExportMap(const std::string& file, const std::string& out, 
   const auto saved = ReadMapFile(file);
   if (!saved) return saved.error();
   if (saved->map.num_keyframes() == 0) return BadInput(file + " holds no keyframe; there is nothing to export");
+  if (const Status kept = CheckMapKept(file, *saved, out); !kept) return kept.error();
   const auto draft = FileDraft::Open(out);  // let go at once: whether a file can be made there
   if (!draft) return BadInput("nothing can be written there: " + draft.error().message);
   if (dense.sequence) return ExportDense(*saved, out, *kind, dense, should_stop);
