@@ -13,12 +13,15 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "pictures/picture_file.h"
+#include "pictures/picture_folder.h"
 #include "runs/draw_boxes.h"
 
 namespace yorb {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kColumns = "timestamp,x,y,level,verdict";
 
 const cv::Scalar kGreen(80, 200, 60), kRed(60, 60, 230), kYellow(40, 210, 240);  // BGR
 
@@ -41,13 +44,14 @@ fs::path PointsIn(const fs::path& folder) { return folder / "points.csv"; }
 
 fs::path PictureIn(const fs::path& folder, Timestamp time) { return folder / (ToString(time) + ".png"); }
 
-/// Whether a folder holds pictures that no overlay has written: there are no points of them.
-bool HoldsOtherPictures(const fs::path& folder) {
+/// What a folder holds that no overlay has written, in words: points of something else, or pictures without points.
+std::string WhatElseIsIn(const fs::path& folder) {
   std::error_code ignored;
-  if (fs::exists(PointsIn(folder), ignored)) return false;
-  const auto is_picture = [](const auto& entry) { return entry.path().extension() == ".png"; };
-  const fs::directory_iterator entries(folder, ignored);
-  return std::any_of(begin(entries), end(entries), is_picture);
+  if (!fs::exists(PointsIn(folder), ignored)) return PicturesIn(folder.string()).empty() ? "" : "pictures";
+  std::string first;
+  std::ifstream points(PointsIn(folder));
+  std::getline(points, first);
+  return first.empty() || first == kColumns ? "" : "a points.csv of something else";
 }
 
 /// Takes away the pictures that an older overlay has points of: two runs in one folder would look like one.
@@ -82,8 +86,8 @@ Result<std::shared_ptr<OverlayWriter>> OverlayWriter::Open(const std::string& fo
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return BadInput("--save-overlay: " + folder + " cannot be made: " + error.message());
-  if (HoldsOtherPictures(folder))
-    return BadInput("--save-overlay: " + folder + " holds pictures already; name another folder");
+  if (const std::string what = WhatElseIsIn(folder); !what.empty())
+    return BadInput("--save-overlay: " + folder + " holds " + what + " already; name another folder");
   const fs::path points = PointsIn(folder);
   const bool was_there = fs::exists(points, error);
   if (!std::ofstream(points, std::ios::app)) {
@@ -96,7 +100,7 @@ Result<std::shared_ptr<OverlayWriter>> OverlayWriter::Open(const std::string& fo
 Status OverlayWriter::Begin() {
   RemovePictures(folder_);
   points_.open(PointsIn(folder_));
-  points_ << "timestamp,x,y,level,verdict\n";
+  points_ << kColumns << '\n';
   return points_.flush() ? Status::Ok() : Status(Failure(PointsIn(folder_).string() + " cannot be written"));
 }
 

@@ -45,8 +45,19 @@ TEST(Overlay, ThatIsOpenedAndNeverBegunLeavesEverythingAsItWas) {
   ASSERT_TRUE(OverlayWriter::Open(folder.Path("older")).ok());
   EXPECT_EQ(NamesIn(folder.Path("older")).size(), 2u);
   EXPECT_THAT(folder.Read("older/points.csv"), testing::EndsWith("static\n"));
+}
+
+TEST(Overlay, IsRefusedAFolderWithSomethingElseInIt) {
+  const TestFolder folder;
   folder.Write("photos/a.png", "a picture");
-  EXPECT_FALSE(OverlayWriter::Open(folder.Path("photos")).ok());
+  folder.Write("recording/1.000000.jpg", "a picture");
+  folder.Write("cloud/points.csv", "x,y,z\n1,2,3\n");
+  for (const char* name : {"photos", "recording", "cloud"}) {
+    const auto opened = OverlayWriter::Open(folder.Path(name));
+    ASSERT_FALSE(opened.ok()) << name;
+    EXPECT_THAT(opened.error().message, testing::HasSubstr(folder.Path(name) + " holds "));
+  }
+  EXPECT_EQ(folder.Read("cloud/points.csv"), "x,y,z\n1,2,3\n");
 }
 
 }  // namespace
