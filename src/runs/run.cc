@@ -140,10 +140,13 @@ void WarnOfMissingMap(const Run& run, const FeedLog& fed, const SlamReport& repo
                                  run.options.config.load_map);
   }
   if (!fed.had_depth || report.num_keyframes > 0) return;
+  const bool has_boxes = std::any_of(report.frames.begin(), report.frames.end(),
+                                     [](const FrameRecord& frame) { return frame.num_boxes > 0; });
   LogWarning("no-map", "no map began: none of the " + std::to_string(report.frames.size()) + " frames shows " +
                            std::to_string(run.options.config.tracking.min_first_points) +
                            " corners with depth; is the picture black, blank or very small" +
-                           (run.options.config.masks.empty() ? "?" : ", or all of it masked?"));
+                           (run.options.config.masks.empty() ? "" : ", or all of it masked") +
+                           (has_boxes ? ", or all of it within boxes of what moves?" : "?"));
 }
 
 /// The map into its file, whatever the end of the run is.

@@ -151,6 +151,17 @@ TEST_F(Runs, WithoutAMapSayWhy) {
   EXPECT_THAT(Text("log.txt"), HasSubstr("no map began: none of the 3 frames shows 20000 corners with depth"));
 }
 
+TEST_F(Runs, WithoutAMapSayThatBoxesHideEverything) {
+  const std::string boxes = out_ + "_boxes.txt";
+  ASSERT_TRUE(WriteFileWhole(boxes, "100 0 0 9999 9999 1\n"));
+  RunOptions options = Options("inline");
+  options.config.dynamics = "exact";
+  options.config.detections = boxes;
+  ASSERT_TRUE(RunSequence(WallDataset(1), options, {}).ok());
+  EXPECT_THAT(Text("log.txt"), HasSubstr("all of it within boxes of what moves?"));
+  std::filesystem::remove(boxes);
+}
+
 TEST_F(Runs, TakeOnlySoManyFrames) {
   RunOptions options = Options("inline");
   options.config.max_frames = 5;
