@@ -130,6 +130,14 @@ TEST(FileDetector, ABoxBelongsToTheNearestFrameWithin15Milliseconds) {
   EXPECT_TRUE((*detector)->Detect(FrameAt(frames[2]))->has_looked) << "people.txt names all people";
 }
 
+TEST(FileDetector, ABoxThatIsGivenTwiceIsOne) {
+  const std::string once = "1 10 20 30 40 1\n1 50 60 70 80 1\n2 1 2 3 4 1\n";
+  const auto detector = FileDetector::Make(*Read(once + once), {At("1"), At("2")});
+  ASSERT_TRUE(detector) << detector.error().message;
+  EXPECT_EQ((*detector)->Detect(FrameAt(At("1")))->boxes.size(), 2u);
+  EXPECT_EQ((*detector)->Detect(FrameAt(At("2")))->boxes.size(), 1u);
+}
+
 TEST(FileDetector, AFrameWithoutALineWasNotLookedAt) {
   const auto file = Read("{\"timestamp\": 1, \"boxes\": []}\n");
   const auto detector = FileDetector::Make(*file, {At("1"), At("2")});

@@ -36,6 +36,20 @@ Error NoneFits(const BoxFile& file, const std::vector<Timestamp>& frames) {
                   (frames.empty() ? "" : "; the pictures cover " + RangeText(frames)));
 }
 
+/// A box that stands there twice, as where files were joined, is one thing: two would share its points and its body.
+/// Of equal ones the first stays.
+void DropDoubles(std::vector<Box>& boxes) {
+  std::vector<Box> single;
+  for (Box& box : boxes) {
+    const auto is_same = [&](const Box& other) {
+      return other.name == box.name && other.left == box.left && other.top == box.top && other.right == box.right &&
+             other.bottom == box.bottom;
+    };
+    if (std::none_of(single.begin(), single.end(), is_same)) single.push_back(std::move(box));
+  }
+  boxes = std::move(single);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, const std::vector<Timestamp>& frames) {
@@ -93,6 +107,7 @@ Result<Detections> FileDetector::Detect(const ImageSet& images) {
     boxes.insert(boxes.end(), moment.boxes.begin(), moment.boxes.end());
   }
   std::stable_sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.confidence > b.confidence; });
+  DropDoubles(boxes);
   detections.says_nobody = boxes.empty() && num_dropped == 0;
   for (const Box& whole : boxes) {
     const Box box = Cut(whole, images.grey.cols, images.grey.rows);
