@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <regex>
+#include <utility>
 #include <vector>
 
 #include "camera/builtin_cameras.h"
@@ -23,12 +24,26 @@ namespace fs = std::filesystem;
 
 constexpr double kSameFocalLength = 0.01;  // calibrations of one camera differ by less
 
+/// By which of its files a recording of another kind is known.
+constexpr std::pair<const char*, const char*> kOtherKinds[] = {
+    {"mav0", "a EuRoC"},
+    {"cam0/data.csv", "a EuRoC"},  // mav0 itself
+    {"image_0", "a KITTI"},
+    {"image_2", "a KITTI"},
+    {"results/depth000000.png", "a Replica"},
+    {"frame-000000.depth.png", "a 7-Scenes"},
+    {"seq-01/frame-000000.depth.png", "a 7-Scenes"},
+    {"intrinsic/intrinsic_depth.txt", "a ScanNet"},
+};
+
 /// What a folder without lists of ours may be, for a helpful complaint.
 std::string HintAt(const std::string& folder) {
   std::error_code ignored;
-  if (fs::exists(fs::path(folder) / "mav0", ignored)) return "; it looks like a EuRoC recording, which is not read yet";
-  if (fs::exists(fs::path(folder) / "image_0", ignored) || fs::exists(fs::path(folder) / "image_2", ignored)) {
-    return "; it looks like a KITTI recording, which is not read yet";
+  const auto has = [&](const char* name) { return fs::exists(fs::path(folder) / name, ignored); };
+  if (has("color.txt") && has("aligned_depth.txt"))
+    return "; it looks like an OpenLORIS recording: call color.txt rgb.txt, and aligned_depth.txt depth.txt";
+  for (const auto& [name, kind] : kOtherKinds) {
+    if (has(name)) return "; it looks like " + std::string(kind) + " recording, which is not read yet";
   }
   std::string inner;
   for (fs::directory_iterator at(folder, ignored), end; !ignored && at != end; at.increment(ignored)) {

@@ -225,6 +225,18 @@ TEST_F(Recording, FoldersWithoutListsAreRefusedWithAHint) {
   EXPECT_THAT(Complaint(""), HasSubstr("did you mean " + folder_.Path("seq")));
   fs::create_directories(folder_.Path("euroc/mav0"));
   EXPECT_THAT(Complaint("euroc"), HasSubstr("EuRoC"));
+  folder_.Write("euroc/mav0/cam0/data.csv", "");
+  EXPECT_THAT(Complaint("euroc/mav0"), HasSubstr("EuRoC"));
+  folder_.Write("7/seq-01/frame-000000.depth.png", "");
+  EXPECT_THAT(Complaint("7"), HasSubstr("7-Scenes"));
+  EXPECT_THAT(Complaint("7/seq-01"), HasSubstr("7-Scenes"));
+  folder_.Write("office0/results/depth000000.png", "");
+  EXPECT_THAT(Complaint("office0"), HasSubstr("Replica"));
+  folder_.Write("scene/intrinsic/intrinsic_depth.txt", "");
+  EXPECT_THAT(Complaint("scene"), HasSubstr("ScanNet"));
+  folder_.Write("loris/color.txt", "");
+  folder_.Write("loris/aligned_depth.txt", "");
+  EXPECT_THAT(Complaint("loris"), HasSubstr("call color.txt rgb.txt, and aligned_depth.txt depth.txt"));
 }
 
 TEST_F(Recording, FoldersThatCannotBeLookedIntoAreRefused) {
