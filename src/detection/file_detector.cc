@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/log.h"
@@ -39,13 +41,14 @@ Error NoneFits(const BoxFile& file, const std::vector<Timestamp>& frames) {
 /// A box that stands there twice, as where files were joined, is one thing: two would share its points and its body.
 /// Of equal ones the first stays.
 void DropDoubles(std::vector<Box>& boxes) {
+  const auto is_before = [](const Box* a, const Box* b) {
+    return std::tie(a->left, a->top, a->right, a->bottom, a->name) <
+           std::tie(b->left, b->top, b->right, b->bottom, b->name);
+  };
+  std::set<const Box*, decltype(is_before)> known(is_before);
   std::vector<Box> single;
-  for (Box& box : boxes) {
-    const auto is_same = [&](const Box& other) {
-      return other.name == box.name && other.left == box.left && other.top == box.top && other.right == box.right &&
-             other.bottom == box.bottom;
-    };
-    if (std::none_of(single.begin(), single.end(), is_same)) single.push_back(std::move(box));
+  for (const Box& box : boxes) {
+    if (known.insert(&box).second) single.push_back(box);
   }
   boxes = std::move(single);
 }

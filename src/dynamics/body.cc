@@ -55,9 +55,20 @@ bool MayBeBody(const CellMask& mask, const DepthCells& depth, int column, int ro
 
 }  // namespace
 
-bool BodySearch::IsInABox(int column, int row) const {
-  const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
-  return std::any_of(bodies.begin(), bodies.end(), [&](const Box& box) { return Holds(box, x, y); });
+CellMask CellsInBoxes(const DepthCells& depth, const std::vector<Box>& boxes) {
+  CellMask mask(depth.IndexOf(0, depth.rows()), 0);
+  const auto middle = [](int cell) { return (cell + 0.5) * kDepthCellPx; };
+  for (const Box& box : boxes) {
+    CellRange range = depth.RangeOf(box);  // these cells, and at the edges some whose middles are outside
+    while (range.left < range.right && middle(range.left) < box.left) ++range.left;
+    while (range.left < range.right && middle(range.right - 1) >= box.right) --range.right;
+    for (int row = range.top; row < range.bottom; ++row) {
+      if (middle(row) < box.top || middle(row) >= box.bottom) continue;
+      const auto cells = mask.begin() + static_cast<std::ptrdiff_t>(depth.IndexOf(range.left, row));
+      std::fill(cells, cells + (range.right - range.left), uint8_t{1});
+    }
+  }
+  return mask;
 }
 
 BodyMemory RememberBody(const DepthCells& depth, const Box& box, const BodyPlane& body, const CellMask& before,

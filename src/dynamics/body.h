@@ -40,14 +40,17 @@ struct BodyPlane {
   }
 };
 
+/// Which cells have their middles in any of some boxes: 1, else 0.
+CellMask CellsInBoxes(const DepthCells& depth, const std::vector<Box>& boxes);
+
 /// What surrounds the search for the body in a box.
 struct BodySearch {
   const DepthCells& depth;
-  const CellMask& taken;           ///< cells that are known already; they count for nothing
-  const std::vector<Box>& bodies;  ///< boxes in which bodies are seen: within them there are no surroundings
+  const CellMask& taken;     ///< cells that are known already; they count for nothing
+  const CellMask& in_boxes;  ///< cells in boxes in which bodies are seen: there are no surroundings
 
   /// Whether the middle of a cell lies in any of these boxes.
-  bool IsInABox(int column, int row) const;
+  bool IsInABox(int column, int row) const { return in_boxes[depth.IndexOf(column, row)] != 0; }
 };
 
 /// Where a body was found: which cells of a range were its own, and its plane.

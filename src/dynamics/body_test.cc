@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/random.h"
 #include "dynamics/test_depth.h"
 
 namespace yorb {
@@ -19,8 +22,26 @@ DepthCells WithThing(const cv::Rect& thing) {
 /// Of what stands at so many metres in a box.
 Contrast ContrastAt(const DepthCells& depth, const Box& box, float metres) {
   const CellMask taken(depth.IndexOf(0, depth.rows()), 0);
-  const std::vector<Box> bodies{box};
-  return ContrastOf({depth, taken, bodies}, box, {{{1 / metres, 0, 0}}, metres});
+  const CellMask in_boxes = CellsInBoxes(depth, {box});
+  return ContrastOf({depth, taken, in_boxes}, box, {{{1 / metres, 0, 0}}, metres});
+}
+
+TEST(CellsInBoxes, AreThoseWhoseMiddlesTheBoxesHold) {
+  const DepthCells depth = WithThing({});
+  Random random(5, 1);
+  std::vector<Box> boxes = {{"person", 1, -50, 2, 6, 10}, {"person", 1, 101, 101, 101.5, 101.5}};
+  for (int i = 0; i < 20; ++i) {
+    const double left = random.Uniform() * 700 - 30, top = random.Uniform() * 540 - 30;
+    boxes.push_back({"person", 1, left, top, left + random.Uniform() * 60, top + random.Uniform() * 60});
+  }
+  const CellMask mask = CellsInBoxes(depth, boxes);
+  for (int row = 0; row < depth.rows(); ++row) {
+    for (int column = 0; column < depth.columns(); ++column) {
+      const double x = (column + 0.5) * kDepthCellPx, y = (row + 0.5) * kDepthCellPx;
+      const bool is_in = std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return Holds(box, x, y); });
+      ASSERT_EQ(mask[depth.IndexOf(column, row)], is_in ? 1 : 0) << column << " " << row;
+    }
+  }
 }
 
 TEST(Contrast, IsTheShareOfTheBoxWhereNothingGoesOn) {
@@ -48,8 +69,8 @@ TEST(Contrast, AStripBelowAPersonWhoFillsThePictureSaysLittle) {
 TEST(Contrast, WhatIsTakenCountsForNothing) {
   const Box box{"person", 1, 200, 100, 400, 300};
   const DepthCells depth = WithThing({200, 100, 200, 200});
-  const CellMask taken(depth.IndexOf(0, depth.rows()), kLying);
-  EXPECT_EQ(ContrastOf({depth, taken, {}}, box, {{{1 / 1.5f, 0, 0}}, 1.5f}).all_round, 0);
+  const CellMask taken(depth.IndexOf(0, depth.rows()), kLying), none(taken.size(), 0);
+  EXPECT_EQ(ContrastOf({depth, taken, none}, box, {{{1 / 1.5f, 0, 0}}, 1.5f}).all_round, 0);
 }
 
 TEST(FitBody, DoesNotGoFromOneBodyToTheNext) {
@@ -59,7 +80,7 @@ TEST(FitBody, DoesNotGoFromOneBodyToTheNext) {
   millimetres(cv::Rect(320, 100, 90, 300)).setTo(1400);
   const DepthCells depth({millimetres, 0.001});
   const CellMask taken(depth.IndexOf(0, depth.rows()), 0);
-  const BodyPlane body = FitBody({depth, taken, {}}, {"person", 1, 200, 100, 410, 400}, 1.65f);
+  const BodyPlane body = FitBody({depth, taken, taken}, {"person", 1, 200, 100, 410, 400}, 1.65f);
   const int row = 250 / kDepthCellPx;
   EXPECT_TRUE(body.Holds(305 / kDepthCellPx, row, 1.67f));
   EXPECT_FALSE(body.Holds(210 / kDepthCellPx, row, 2.0f) && body.Holds(400 / kDepthCellPx, row, 1.4f));
@@ -71,7 +92,7 @@ TEST(FitBody, FollowsANearBodyThatIsTurned) {
   for (int x = 250; x < 350; ++x) millimetres(cv::Rect(x, 100, 1, 300)).setTo(1000 * metres_at(x));
   const DepthCells depth({millimetres, 0.001});
   const CellMask taken(depth.IndexOf(0, depth.rows()), 0);
-  const BodyPlane body = FitBody({depth, taken, {}}, {"person", 1, 250, 100, 350, 400}, 0.6f);
+  const BodyPlane body = FitBody({depth, taken, taken}, {"person", 1, 250, 100, 350, 400}, 0.6f);
   for (const int x : {260, 300, 340}) {
     const float at = body.plane.DepthAt(x / kDepthCellPx, 250 / kDepthCellPx);
     EXPECT_NEAR(at, metres_at(x), 0.03) << x;

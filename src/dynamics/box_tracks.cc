@@ -3,9 +3,11 @@
 #include "dynamics/box_tracks.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "core/iou.h"
+#include "core/log.h"
 
 namespace yorb {
 namespace {
@@ -19,6 +21,7 @@ constexpr double kSeenForS = 0.25;      // how long what the last look saw is th
 constexpr int kSureToFade = 2;          // looks that saw it surely, before it may be hardly seen
 constexpr double kFadeS = 1.5;          // how long it may be so
 constexpr double kSmoothing = 0.5;      // of velocities
+constexpr size_t kMostBoxes = 1000;     // of one picture: all are compared with all that are followed
 
 /// `box` after `seconds` of the track's motion.
 Box Moved(Box box, const BoxTrack& track, double seconds) {
@@ -53,6 +56,21 @@ bool MayFade(const BoxTrack& track, Timestamp now) {
   return track.num_sure >= kSureToFade && SecondsBetween(track.last_sure, now) <= kFadeS;
 }
 
+/// The boxes of what moves, and no more of them than are followed.
+std::vector<SortedBox> MovingOf(const std::vector<Box>& boxes, const MotionTable& table) {
+  std::vector<SortedBox> moving = SortByMotion(boxes, table);
+  const auto is_static = [](const SortedBox& sorted) { return sorted.motion == Motion::kStatic; };
+  moving.erase(std::remove_if(moving.begin(), moving.end(), is_static), moving.end());
+  if (moving.size() <= kMostBoxes) return moving;
+  LogWarning("boxes-many", "a picture has " + std::to_string(moving.size()) + " boxes of what moves; the " +
+                               std::to_string(kMostBoxes) +
+                               " surest are followed (were they written without a threshold of confidence?)");
+  std::stable_sort(moving.begin(), moving.end(),
+                   [](const SortedBox& a, const SortedBox& b) { return a.box.confidence > b.box.confidence; });
+  moving.resize(kMostBoxes);
+  return moving;
+}
+
 }  // namespace
 
 bool BoxTracks::IsSure(const SortedBox& seen) const {
@@ -75,12 +93,15 @@ void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>&
     size_t track, box;
   };
   std::vector<Pair> pairs;
+  std::vector<bool> is_seen_surely;
+  for (const SortedBox& one : seen) is_seen_surely.push_back(IsSure(one));
   for (size_t t = 0; t < tracks_.size(); ++t) {
+    const Box then = Moved(tracks_[t].at.box, tracks_[t], -age_s);
+    const bool may_fade = MayFade(tracks_[t], now);
     for (size_t b = 0; b < seen.size(); ++b) {
-      const double overlap = IoU(Moved(tracks_[t].at.box, tracks_[t], -age_s), seen[b].box);
-      const bool is_sure = IsSure(seen[b]);
-      if (!is_sure && !MayFade(tracks_[t], now)) continue;
-      if (overlap >= kLeastOverlap && tracks_[t].at.motion == seen[b].motion) pairs.push_back({overlap, is_sure, t, b});
+      if (tracks_[t].at.motion != seen[b].motion || (!is_seen_surely[b] && !may_fade)) continue;
+      const double overlap = IoU(then, seen[b].box);
+      if (overlap >= kLeastOverlap) pairs.push_back({overlap, is_seen_surely[b], t, b});
     }
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
@@ -93,8 +114,7 @@ void BoxTracks::Match(Timestamp now, Timestamp at, const std::vector<SortedBox>&
     See(tracks_[pair.track], seen[pair.box], pair.is_sure, at, now);
   }
   for (size_t b = 0; b < seen.size(); ++b) {
-    const bool is_sure = IsSure(seen[b]);
-    if (is_box_done[b] || !is_sure || seen[b].motion == Motion::kStatic) continue;
+    if (is_box_done[b] || !is_seen_surely[b]) continue;
     BoxTrack track;
     See(track, seen[b], true, at, now);
     tracks_.push_back(track);
@@ -106,7 +126,7 @@ void BoxTracks::Update(Timestamp now, const SeenAt& looked, const MotionTable& t
   if (looked.seen.has_looked) {
     last_look_ = now;
     if (looked.seen.says_nobody) tracks_.clear();
-    Match(now, looked.at, SortByMotion(looked.seen.boxes, table));
+    Match(now, looked.at, MovingOf(looked.seen.boxes, table));
     last_look_of_ = looked.at;
   } else if (SecondsBetween(last_look_of_, now) <= kSeenForS) {
     for (BoxTrack& track : tracks_) {

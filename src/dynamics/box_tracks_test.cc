@@ -39,6 +39,22 @@ TEST_F(BoxTracksTest, AMissedBoxMovesOnForAWhile) {
   EXPECT_EQ(Count(), 0u);
 }
 
+TEST_F(BoxTracksTest, OfVeryManyTheSurestAreFollowed) {
+  std::vector<Box> boxes;
+  for (int i = 0; i < 1200; ++i) {  // small ones that do not touch
+    const double x = 8 * (i % 80), y = 8 * (i / 80);
+    boxes.push_back({"person", i < 200 ? 0.3 : 0.9, x, y, x + 6, y + 6});
+    boxes.push_back({"table", 1, x, y, x + 6, y + 6});
+  }
+  See(0, boxes);
+  See(1, boxes);
+  ASSERT_EQ(Count(), 1000u);
+  for (const BoxTrack& track : tracks_.tracks()) {
+    ASSERT_EQ(track.at.box.confidence, 0.9);
+    ASSERT_EQ(track.num_seen, 2);
+  }
+}
+
 TEST_F(BoxTracksTest, WhoIsSaidToBeGoneIsNotBridged) {
   for (int i = 0; i < 10; ++i) See(i, {Walker(i)});
   Tell(10, {{true, {}, true}, FrameTime(10)});

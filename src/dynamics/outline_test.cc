@@ -22,8 +22,8 @@ DepthImage SlantedWall(bool has_board) {
 bool GoesOn(const DepthImage& image, const Box& box, float metres) {
   const DepthCells depth(image);
   const CellMask taken(static_cast<size_t>(depth.columns() * depth.rows()), 0);
-  const std::vector<Box> boxes{box};
-  const BodySearch search{depth, taken, boxes};
+  const CellMask in_boxes = CellsInBoxes(depth, {box});
+  const BodySearch search{depth, taken, in_boxes};
   return GoesOnBeyond(search, box, FitBody(search, box, metres));
 }
 

@@ -41,8 +41,9 @@ BoxRules::BoxRules(const std::vector<SortedBox>& boxes) {
     if (sorted.motion == Motion::kStatic) still_.push_back(sorted.box);
   }
   for (const SortedBox& sorted : boxes) {
+    if (sorted.motion != Motion::kLow) continue;
     const bool touches = std::any_of(high_.begin(), high_.end(), [&](const Box& h) { return Touch(h, sorted.box); });
-    if (sorted.motion == Motion::kLow && touches) carried_.push_back(sorted.box);
+    if (touches) carried_.push_back(sorted.box);
   }
 }
 

@@ -119,22 +119,55 @@ double ShareTaken(const CellMask& mask, const CellRange& range, const DepthCells
   return range.size() > 0 ? static_cast<double>(taken) / range.size() : 1;
 }
 
+/// A track whose body is still to be found, and what speaks for one as long as no cell of its box is newly taken.
+struct OpenTrack {
+  BoxTrack* track;
+  std::optional<std::vector<BodySign>> signs;
+};
+
 /// Takes the body that explains most, of those that the detector saw if there is one, out of what is open.
-BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Timestamp now,
-                   std::vector<BodySign>& signs) {
+OpenTrack TakeNext(std::vector<OpenTrack>& open, const BodySearch& search, Timestamp now) {
   size_t best = 0;
+  const std::vector<BodySign>* best_signs = nullptr;
   bool is_best_bridged = true;
   for (size_t i = 0; i < open.size(); ++i) {
-    const auto found = FindBodies(search, open[i]->at.box, LastDepth(*open[i]));
-    const bool is_bridged = open[i]->IsBridged(now);
-    if (found.empty() || (!signs.empty() && is_bridged && !is_best_bridged)) continue;
-    if (!signs.empty() && is_bridged == is_best_bridged && found[0].num_cells <= signs[0].num_cells) continue;
-    best = i, signs = found, is_best_bridged = is_bridged;
+    const BoxTrack& track = *open[i].track;
+    if (!open[i].signs) open[i].signs = FindBodies(search, track.at.box, LastDepth(track));
+    const std::vector<BodySign>& found = *open[i].signs;
+    const bool is_bridged = track.IsBridged(now);
+    if (found.empty() || (best_signs != nullptr && is_bridged && !is_best_bridged)) continue;
+    const bool is_alike = best_signs != nullptr && is_bridged == is_best_bridged;
+    if (is_alike && found[0].num_cells <= (*best_signs)[0].num_cells) continue;
+    best = i, best_signs = &found, is_best_bridged = is_bridged;
   }
   std::swap(open[best], open.back());
-  BoxTrack& track = *open.back();
+  OpenTrack next = std::move(open.back());
   open.pop_back();
-  return track;
+  return next;
+}
+
+/// The smallest range with all cells in which two masks differ.
+CellRange ChangedCells(const CellMask& before, const CellMask& after, const DepthCells& depth) {
+  CellRange changed{depth.columns(), depth.rows(), 0, 0};
+  for (int row = 0; row < depth.rows(); ++row) {
+    for (int column = 0; column < depth.columns(); ++column) {
+      const size_t cell = depth.IndexOf(column, row);
+      if (before[cell] == after[cell]) continue;
+      changed = {std::min(changed.left, column), std::min(changed.top, row), std::max(changed.right, column + 1),
+                 std::max(changed.bottom, row + 1)};
+    }
+  }
+  return changed;
+}
+
+/// Forgets the signs in boxes of which cells were taken since.
+void ForgetSigns(std::vector<OpenTrack>& open, const CellRange& changed, const DepthCells& depth) {
+  for (OpenTrack& one : open) {
+    const CellRange range = depth.RangeOf(one.track->at.box);
+    const bool is_apart = changed.right <= range.left || changed.left >= range.right || changed.bottom <= range.top ||
+                          changed.top >= range.bottom;
+    if (!is_apart) one.signs.reset();
+  }
 }
 
 /// What moves by itself. Where boxes overlap, the body that explains most is found first, and leaves the rest to the
@@ -142,21 +175,22 @@ BoxTrack& TakeNext(std::vector<BoxTrack*>& open, const BodySearch& search, Times
 /// floors, which are none.
 CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, CellMask mask, Timestamp now) {
   std::vector<Box> seen;
-  std::vector<BoxTrack*> open;
+  std::vector<OpenTrack> open;
   for (BoxTrack& track : tracks) {
     if (track.at.motion != Motion::kHigh) continue;
     if (!track.IsBridged(now)) seen.push_back(track.at.box);
-    open.push_back(&track);
+    open.push_back({&track, std::nullopt});
   }
+  const CellMask in_boxes = CellsInBoxes(depth, seen);
   while (!open.empty()) {
-    const BodySearch search{depth, mask, seen};
-    std::vector<BodySign> signs;
-    BoxTrack& track = TakeNext(open, search, now, signs);
+    const BodySearch search{depth, mask, in_boxes};
+    const OpenTrack next = TakeNext(open, search, now);
+    BoxTrack& track = *next.track;
     // A poster, however sure the detector is; but who stood free before has only come near the wall.
     if (!track.body && LiesInAWall(search, track.at.box)) continue;
-    const auto found = FindBodyOf(track, search, signs, now);
+    const auto found = FindBodyOf(track, search, *next.signs, now);
+    const CellMask before = mask;
     if (found) {
-      const CellMask before = mask;
       mask = WithBody(std::move(mask), depth, track.at.box, found->plane);
       // Only what the detector sees is remembered: a memory of memories would wander off into the background.
       const bool is_new = !track.IsBridged(now) && found->contrast > 0;
@@ -166,6 +200,7 @@ CellMask MaskOfBodies(std::vector<BoxTrack>& tracks, const DepthCells& depth, Ce
       // Where depth cannot tell the body from what is around it, the box counts as a whole, as in the paper.
       mask = WithAllOf(std::move(mask), depth, track.at.box);
     }
+    ForgetSigns(open, ChangedCells(before, mask, depth), depth);
   }
   return mask;
 }

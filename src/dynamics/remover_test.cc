@@ -148,6 +148,27 @@ TEST(Remover, TwoBodiesInOverlappingBoxesAreBothFound) {
   EXPECT_GT(SharesOf(both, points, areas.Judge(points)).dynamic_removed, 0.97);
 }
 
+// Work must not grow with the square of the boxes, each of which asks around it for all others: with sums over all of
+// them it took minutes.
+TEST(Remover, AThousandBoxesOverOnePersonAreNoMoreWorkThanThousandTimesOne) {
+  const Scene scene = MakeScene(1.5);
+  Random random(3, 1);
+  std::vector<Box> boxes;
+  for (int i = 0; i < 900; ++i) {
+    Box box = scene.box;
+    box.left += 40 * random.Uniform() - 20, box.right += 40 * random.Uniform() - 20;
+    box.top += 40 * random.Uniform() - 20, box.bottom += 40 * random.Uniform() - 20;
+    boxes.push_back(box);
+  }
+  Remover remover(Dynamics::kFull, MotionTable::Default(), 1.2);
+  const std::vector<Keypoint> points = Points();
+  const MovingAreas areas = remover.Look(scene.images, {{true, boxes}, scene.images.timestamp});
+  EXPECT_EQ(areas.boxes().size(), boxes.size());
+  const Shares shares = SharesOf(scene, points, areas.Judge(points));
+  EXPECT_GT(shares.dynamic_removed, 0.97);
+  EXPECT_GT(shares.static_outside_kept, 0.8);
+}
+
 TEST(Remover, ABodyDoesNotJumpToWhatComesBeforeIt) {
   const auto scene_with = [](bool has_panel) {
     Scene scene = MakeScene(9, false);  // nobody before the wall

@@ -34,7 +34,7 @@ double Wall(int x, int) { return 1 / (0.45 - 0.0002 * x); }
 bool IsWall(const DepthImage& image, const Box& box, const std::vector<Box>& bodies = {}) {
   const DepthCells depth(image);
   const CellMask taken(static_cast<size_t>(depth.columns() * depth.rows()), 0);
-  return LiesInAWall({depth, taken, bodies}, box);
+  return LiesInAWall({depth, taken, CellsInBoxes(depth, bodies)}, box);
 }
 
 TEST(LiesInAWall, APosterDoes) {
