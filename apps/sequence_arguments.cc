@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "datasets/open_dataset.h"
 #include "evaluation/trajectory_io.h"
+#include "map/map_file.h"
 #include "system/config_io.h"
 
 namespace yorb {
@@ -59,8 +60,16 @@ Result<std::vector<Setting>> SettingsOf(const SequenceArguments& options, const 
   return settings;
 }
 
+/// With a camera as given, as the config file has it, as the folder shows it, or as the map that is loaded knows it.
 Result<std::unique_ptr<Dataset>> Open(const std::string& folder, const SequenceArguments& options,
-                                      const std::string& camera_text, Layout layout) {
+                                      const std::string& camera_text, const std::string& load_map, Layout layout) {
+  const bool is_named = options.camera || !camera_text.empty();
+  if (!is_named && !load_map.empty() && !ShowsItsCamera(folder)) {
+    if (const Status there = CheckLayout(folder, layout); !there) return there.error();
+    const auto rig = ReadMapCamera(load_map);
+    if (!rig) return rig.error();
+    return OpenDataset(folder, ChosenCamera{*rig, "of the map " + load_map, false}, layout);
+  }
   if (options.camera || camera_text.empty()) return OpenDataset(folder, options.camera.value_or(""), layout);
   const auto rig = ParseCameraFile(camera_text, options.config.value_or("") + ", group camera");
   if (!rig) return rig.error();
@@ -97,8 +106,10 @@ void SequenceArguments::AddTo(CLI::App& command, const std::vector<Refused>& not
   command.add_option("DIR", places, "The folder of the sequence, with rgb.txt and depth.txt or associations.txt")
       ->required()
       ->expected(1, -1);
-  command.add_option("--camera", camera,
-                     "A camera file, or tum_fr1, tum_fr2, tum_fr3; may be left out where the folder says which");
+  command.add_option(
+      "--camera", camera,
+      "A camera file, or tum_fr1, tum_fr2, tum_fr3; may be left out where the folder, or a map that is loaded, "
+      "says which");
   command.add_option("--config", config,
                      "A YAML file with the settings that differ from the default (configs/default.yaml lists all)");
   command.add_option("--set", settings, "One setting, such as features.wanted=1200; may be given often")
@@ -162,7 +173,7 @@ Result<OpenedSequence> OpenSequence(const SequenceArguments& options) {
   if (!valid) return valid.error();
   if (opened.config.max_frames == 0 && options.max_frames) return BadInput("--max-frames: 0; at least 1 is expected");
   const Layout layout = opened.config.localize_only ? Layout::kAnyPictures : Layout::kRecording;
-  auto dataset = Open(opened.folder, options, file.camera_text, layout);
+  auto dataset = Open(opened.folder, options, file.camera_text, opened.config.load_map, layout);
   if (!dataset) return dataset.error();
   opened.dataset = *std::move(dataset);
   return opened;

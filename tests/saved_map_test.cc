@@ -9,9 +9,12 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/text.h"
 #include "evaluation/trajectory_io.h"
+#include "pictures/picture_file.h"
+#include "pictures/png.h"
 #include "pictures/test_folder.h"
 #include "tests/synthetic_dataset.h"
 
@@ -165,6 +168,31 @@ TEST_F(Maps, AnyFolderOfPicturesIsLocated) {
     EXPECT_LT((located->poses[i].world_from_cam.translation - there).norm(), 0.02);
   }
   ExpectRefused("holds neither", "run photos --camera room/camera.yaml --out broken");
+}
+
+TEST_F(Maps, TheCameraOfAMapIsTakenWhereNothingElseSaysWhich) {
+  std::filesystem::create_directories(Path("shots"));
+  std::filesystem::create_directories(Path("halves"));
+  for (const char* name : {"3.png", "8.png"}) {
+    std::filesystem::copy_file(Path(std::string("room/rgb/") + name), Path(std::string("shots/") + name));
+    cv::Mat half;
+    cv::resize(ReadPictureFile(Path(std::string("room/rgb/") + name)).pixels, half, {}, 0.5, 0.5);
+    Put(std::string("halves/") + name, *EncodePng(half));
+  }
+  const std::string ways[] = {"", "--camera room/camera.yaml "};
+  for (const std::string& way : ways) {
+    const Outcome run = Call("run shots --load-map room.map --localize-only " + way + "--quiet --mode inline --out " +
+                             (way.empty() ? "maps" : "given"));
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+  }
+  EXPECT_EQ(Bytes("maps/trajectory.txt"), Bytes("given/trajectory.txt"));
+  EXPECT_THAT(Bytes("maps/log.txt"), HasSubstr("of the map room.map"));
+  // Other pictures may come from another camera; a run without a map has none to take.
+  ExpectRefused("--camera", "run halves --load-map room.map --localize-only --out broken");
+  ExpectRefused("no_such.map", "run shots --load-map no_such.map --localize-only --out broken");
+  ExpectRefused("rgb.txt", "run shots --load-map room.map --out broken");
+  EXPECT_FALSE(std::filesystem::exists(Path("broken")));
 }
 
 TEST_F(Maps, AreExportedWithTheCountsOfInfo) {

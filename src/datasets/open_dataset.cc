@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/open_dataset.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <regex>
 #include <utility>
 #include <vector>
@@ -22,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kCameraFiles[] = {"camera.yaml", "camera.yml"};
 constexpr double kSameFocalLength = 0.01;  // calibrations of one camera differ by less
 
 /// By which of its files a recording of another kind is known.
@@ -108,6 +111,12 @@ Status CheckLayout(const std::string& folder, Layout layout) {
                   (wants_any ? ", nor pictures" : "") + HintAt(folder));
 }
 
+bool ShowsItsCamera(const std::string& folder) {
+  std::error_code ignored;
+  const auto is_there = [&](const char* name) { return fs::exists(fs::path(folder) / name, ignored); };
+  return std::any_of(std::begin(kCameraFiles), std::end(kCameraFiles), is_there) || !CameraOfFolderName(folder).empty();
+}
+
 Result<ChosenCamera> ChooseCamera(const std::string& folder, const std::string& camera) {
   ChosenCamera chosen;
   std::string source = camera;
@@ -116,7 +125,7 @@ Result<ChosenCamera> ChooseCamera(const std::string& folder, const std::string& 
     chosen.how = "as given";
     chosen.is_given = true;
   }
-  for (const char* name : {"camera.yaml", "camera.yml"}) {
+  for (const char* name : kCameraFiles) {
     const fs::path file = fs::path(folder) / name;
     if (!source.empty() || !fs::exists(file, ignored)) continue;
     source = file.string();
@@ -146,7 +155,7 @@ Result<Rig> FitChosenCamera(const ChosenCamera& chosen, int width, int height) {
   const Pinhole& camera = chosen.rig.camera;
   const std::string sizes = SizeText({camera.width, camera.height}) + ", the pictures are " + SizeText({width, height});
   if (!chosen.is_given) {
-    return BadInput("the folder's name stands for camera " + chosen.rig.name + " with pictures of " + sizes +
+    return BadInput("camera " + chosen.rig.name + " (" + chosen.how + ") is for pictures of " + sizes +
                     ": give --camera for the pictures as they are");
   }
   LogWarning("camera-scaled", "camera " + chosen.rig.name + " is for pictures of " + sizes +

@@ -32,12 +32,15 @@ std::string UnlikeFolderName(const std::string& folder, const Rig& rig);
 /// The camera of a recording as its file has it, and how it was chosen.
 struct ChosenCamera {
   Rig rig;
-  std::string how;        ///< "as given", "the folder's camera.yaml", "by the folder's name"
-  bool is_given = false;  ///< by the user or a file in the folder, not by a name alone
+  std::string how;        ///< "as given", "the folder's camera.yaml", "by the folder's name", "of the map FILE"
+  bool is_given = false;  ///< for these pictures: by the user or a file in the folder, not by a name or a map alone
 };
 Result<ChosenCamera> ChooseCamera(const std::string& folder, const std::string& camera);
 
-/// The camera for pictures of this size; warns where it had to be scaled. A camera known by the folder's name alone
+/// Whether a folder says by itself which camera took it.
+bool ShowsItsCamera(const std::string& folder);
+
+/// The camera for pictures of this size; warns where it had to be scaled. One that was not given for them
 /// must fit as it is.
 Result<Rig> FitChosenCamera(const ChosenCamera& chosen, int width, int height);
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "map/chunk_file.h"
+#include "map/frame_setup.h"
 #include "map/map_rows.h"
 
 namespace yorb {
@@ -209,6 +210,19 @@ Result<SavedMap> ReadMapFile(const std::string& path) {
   auto file = ChunkFileReader::Open(path, kKind);
   if (!file) return file.error();
   return MapReader(*std::move(file)).Read();
+}
+
+Result<Rig> ReadMapCamera(const std::string& path) {
+  auto file = ChunkFileReader::Open(path, kKind);
+  if (!file) return file.error();
+  for (auto chunk = file->Next(); !chunk || *chunk; chunk = file->Next()) {
+    if (!chunk) return chunk.error();
+    if ((*chunk)->name != "CAMS") continue;
+    const auto setups = ReadFrameSetups((*chunk)->content);
+    if (!setups) return file->Damaged("a part 'CAMS' holds what cannot be");
+    if (!setups->empty()) return *setups->back().rig;
+  }
+  return BadInput(path + " holds no keyframe; make the map anew");
 }
 
 Status WriteMapFile(const std::string& path, const Map& map, const MapFacts& facts) {

@@ -43,6 +43,9 @@ struct SavedMap {
 /// at, and Map::Check() has the last word.
 Result<SavedMap> ReadMapFile(const std::string& path);
 
+/// The camera that a map's newest pictures were taken with, without reading the rest of the file. Bad input as there.
+Result<Rig> ReadMapCamera(const std::string& path);
+
 /// Writes a map whole or not at all: until then the old file stays as it is.
 Status WriteMapFile(const std::string& path, const Map& map, const MapFacts& facts);
 
