@@ -79,6 +79,31 @@ void WarnOfDegeneracy(Evaluation& evaluation) {
   }
 }
 
+/// How far the poses of some pairs lie from their middle: rmse, metres.
+double ExtentOf(const Trajectory& poses, const std::vector<StampPair>& pairs, size_t StampPair::*which) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const StampPair& pair : pairs) middle += poses[pair.*which].world_from_cam.translation;
+  middle /= static_cast<double>(pairs.size());
+  double sum = 0;
+  for (const StampPair& pair : pairs) sum += (poses[pair.*which].world_from_cam.translation - middle).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(pairs.size()));
+}
+
+/// Millimetres beside metres, which no alignment but a similarity makes good.
+void WarnOfMillimetres(const ReadTrajectory& reference, const EvalOptions& options, Evaluation& evaluation) {
+  constexpr double kTimes = 1000, kSlack = 1.5, kStuckM = 0.02;  // a tracker that stands still has no unit
+  const double truth = ExtentOf(reference.poses, evaluation.pairs, &StampPair::first);
+  const double found = ExtentOf(evaluation.estimate, evaluation.pairs, &StampPair::second);
+  if (options.align == EvalAlign::kSim3 || truth < kStuckM || found < kStuckM) return;
+  const auto is_near = [&](double ratio) { return ratio > kTimes / kSlack && ratio < kTimes * kSlack; };
+  if (!is_near(found / truth) && !is_near(truth / found)) return;
+  const bool is_found = found > truth;
+  evaluation.warnings.push_back(
+      (is_found ? evaluation.estimate_path : reference.path) + " extends about 1000 times as far as " +
+      (is_found ? reference.path : evaluation.estimate_path) +
+      ": is it in millimetres? Positions are metres, and nothing is scaled but by --align sim3");
+}
+
 /// The share of the pictures that have a pose near in time, each pose counted once. `offset` seconds are added to the
 /// poses' stamps.
 double CoverageOf(const std::vector<Timestamp>& pictures, const Trajectory& estimate, double offset) {
@@ -136,6 +161,7 @@ Result<Evaluation> Evaluate(const ReadTrajectory& reference, const ReadTrajector
   }
   result.ate = ComputeAbsoluteError(reference.poses, estimate.poses, result.pairs, options.align);
   WarnOfDegeneracy(result);
+  WarnOfMillimetres(reference, options, result);
   const RpeOptions rpe{options.rpe_delta, options.rpe_unit, result.ate.reference_from_estimate.scale,
                        options.time_offset};
   result.rpe = ComputeRelativeError(reference.poses, estimate.poses, rpe);

@@ -80,6 +80,24 @@ TEST(Evaluate, AlignmentHidesNoScaleAndNoneHidesNothing) {
   EXPECT_EQ(Evaluate(Named("truth", truth), Named("same", truth), options)->ate.summary.max, 0.0);
 }
 
+TEST(Evaluate, MillimetresAreToldOfAndNotScaled) {
+  const Trajectory truth = SmoothWalk(500, 10);
+  const ReadTrajectory metres = Named("metres.txt", truth);
+  const ReadTrajectory thousand = Named("mm.txt", Disturbed(truth, 0, SomeMotion(1000), 1));
+  EvalOptions options;
+  const auto found = Evaluate(metres, thousand, options);
+  ASSERT_EQ(found->warnings.size(), 1u);
+  EXPECT_THAT(found->warnings[0], HasSubstr("mm.txt extends about 1000 times as far as metres.txt"));
+  EXPECT_GT(found->ate.summary.rmse, 100);
+  const auto other = Evaluate(thousand, metres, options);
+  ASSERT_EQ(other->warnings.size(), 1u);
+  EXPECT_THAT(other->warnings[0], HasSubstr("mm.txt extends"));
+  EXPECT_TRUE(Evaluate(metres, Named("five", Disturbed(truth, 0, SomeMotion(5), 1)), options)->warnings.empty());
+  EXPECT_TRUE(Evaluate(metres, Named("stuck", Disturbed(truth, 0, SomeMotion(0.001), 1)), options)->warnings.empty());
+  options.align = EvalAlign::kSim3;
+  EXPECT_TRUE(Evaluate(metres, thousand, options)->warnings.empty());
+}
+
 TEST(Evaluate, TheOffsetMovesTheEstimate) {
   const Trajectory truth = SmoothWalk(500, 10);
   Trajectory late = truth;

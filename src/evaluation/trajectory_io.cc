@@ -3,6 +3,8 @@
 #include "evaluation/trajectory_io.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -12,7 +14,7 @@
 namespace yorb {
 namespace {
 
-constexpr size_t kTumColumns = 8, kKittiColumns = 12;
+constexpr size_t kTumColumns = 8, kKittiColumns = 12, kSquareColumns = 16;  // KITTI's with 0 0 0 1 below
 constexpr double kFarthest = 1e12;                     // metres; beyond it squares lose their meaning
 constexpr double kLeastQuaternion = 1e-6;              // norm
 constexpr double kRotationSlack = 1e-2;                // of R * R^T against the identity
@@ -44,7 +46,9 @@ std::string HintOf(const Fields& fields) {
       ParseInteger(fields[0]).has_value() && StampDecimalsBySize(ParseDouble(fields[0]).value_or(0)) == 9;
   if (fields.size() > kTumColumns && is_nanoseconds)
     return "EuRoC's CSV is read with --format euroc, of the reference alone with --reference-format euroc";
-  if (fields.size() == kKittiColumns) return "KITTI's matrices are read with --format kitti";
+  if (fields.size() == kKittiColumns || fields.size() == kSquareColumns)
+    return "matrices of 3x4 (KITTI's) or 4x4 numbers a row are read with --format kitti";
+  if (fields.size() == 4) return "a matrix over four lines belongs in one, of 12 or 16 numbers, for --format kitti";
   if (fields.size() == kTumColumns)
     return "TUM's format is read with --format left out, a EuRoC reference beside it with --reference-format euroc";
   return "";
@@ -127,7 +131,8 @@ Result<Layout> FindLayout(const TextFile& file, TrajectoryFormat format) {
     return layout;
   }
   layout.columns.stamp_decimals = -1;
-  if (format == TrajectoryFormat::kKitti) layout.columns.count = kKittiColumns;
+  if (format == TrajectoryFormat::kKitti)
+    layout.columns.count = fields.size() == kSquareColumns ? kSquareColumns : kKittiColumns;
   const std::string hint = HintOf(fields);
   if (fields.size() == layout.columns.count || hint.empty()) return layout;
   const char* name = format == TrajectoryFormat::kKitti ? "KITTI's" : "TUM's";
@@ -171,7 +176,10 @@ Result<Rigid3> PoseFromMatrix(const std::vector<double>& numbers, const std::str
   const Eigen::Matrix<double, 3, 4> matrix =
       Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(numbers.data());
   const Eigen::Matrix3d rotation = matrix.leftCols<3>();
-  const std::string why = WhyNoPose(matrix.col(3), Eigen::Quaterniond::Identity());
+  std::string why = WhyNoPose(matrix.col(3), Eigen::Quaterniond::Identity());
+  constexpr std::array<double, 4> kLastRow = {0, 0, 0, 1};
+  if (numbers.size() == kSquareColumns && !std::equal(kLastRow.begin(), kLastRow.end(), numbers.begin() + 12))
+    why = "a 4x4 matrix whose last row is not 0 0 0 1 (is it written column by column?)";
   if (!why.empty()) return BadInput(where + ": " + why + "; mend or remove the line");
   const double slack = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(slack < kRotationSlack) || rotation.determinant() < 0) {

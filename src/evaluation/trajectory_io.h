@@ -15,7 +15,7 @@ namespace yorb {
 enum class TrajectoryFormat {
   kAuto,   ///< TUM's eight numbers, or what an unmistakable header says; anything else is refused
   kTum,    ///< timestamp tx ty tz qx qy qz qw
-  kKitti,  ///< a 3x4 matrix a row, no time stamps: row k stands at k seconds
+  kKitti,  ///< a 3x4 matrix a row, or 4x4 with 0 0 0 1 at its end, no time stamps: row k stands at k seconds
   kEuroc,  ///< CSV: nanoseconds, position, quaternion with w first; further columns are passed over
 };
 

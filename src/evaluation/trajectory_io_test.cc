@@ -129,6 +129,23 @@ TEST(TrajectoryIo, KittiByNameAlone) {
   EXPECT_THAT(Refusal("1 0 0 5 0 1 0 6 0 0 -1 7\n", TrajectoryFormat::kKitti), HasSubstr("no rotation"));
 }
 
+TEST(TrajectoryIo, SquareMatricesAreReadAsKittisAre) {
+  const auto kitti = TrajectoryFormat::kKitti;
+  const std::string square = "1 0 0 5 0 1 0 6 0 0 1 7 0 0 0 1\n", turned = "0 -1 0 1 1 0 0 2 0 0 1 3 0e0 0 0 1.0\n";
+  const auto read = ReadTrajectoryFile(TestFile("square.txt", square + turned), kitti);
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->poses.size(), 2u);
+  EXPECT_EQ(read->poses[0].world_from_cam.translation, Eigen::Vector3d(5, 6, 7));
+  EXPECT_LT((read->poses[1].world_from_cam * Eigen::Vector3d(1, 0, 0) - Eigen::Vector3d(1, 3, 3)).norm(), 1e-12);
+  EXPECT_THAT(Refusal(square), HasSubstr("line 1: 16 columns")) << "by name alone, as KITTI's";
+  EXPECT_THAT(Refusal(square), HasSubstr("--format kitti"));
+  EXPECT_THAT(Refusal("1 0 0 0 0 1 0 0 0 0 1 0 5 6 7 1\n", kitti), HasSubstr("column by column"));
+  EXPECT_THAT(Refusal(square + "1 0 0 5 0 1 0 6 0 0 1 7\n", kitti), HasSubstr("line 2: 12 columns where 16"));
+  const std::string block = "1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n";
+  EXPECT_THAT(Refusal(block, kitti), HasSubstr("over four lines"));
+  EXPECT_THAT(Refusal(block), HasSubstr("over four lines"));
+}
+
 TEST(TrajectoryIo, NanosecondsAreReadWithAWord) {
   const auto read = ReadTrajectoryFile(
       TestFile("ns.txt", "1305031102175304000 1 2 3 0 0 0 1\n1305031102211214000.0 1 2 3 0 0 0 1\n"));
