@@ -66,6 +66,50 @@ TEST(CalibrationFile, RosCalibratorAndMessage) {
                {});
 }
 
+TEST(CalibrationFile, Open3dsJson) {
+  const std::string start = "{\n\t\"width\" : 640,\n\t\"height\" : 480,\n\t\"intrinsic_matrix\" : ";
+  const std::string columns = "[\n525.5,\n0,\n0,\n0,\n526.5,\n0,\n319.25,\n239.75,\n1\n]";
+  ExpectCamera(ReadCalib(start + columns + "\n}\n"), {});
+  ExpectCamera(ReadCalib(start + "[[525.5,0,319.25],[0,526.5,239.75],[0,0,1]]}"), {});
+  EXPECT_EQ(ReadCalib(start + columns + "}").depth_factor, 0);
+  EXPECT_EQ(ReadCalib(start + columns + ", \"depth_scale\": 1000.0}").depth_factor, 1000);
+  EXPECT_EQ(ReadCalib(start + columns + ", \"depth_factor\": 5000}").depth_factor, 5000);
+  EXPECT_THAT(CalibComplaint(start + "[525.5, 1, 0, 0, 526.5, 0, 319.25, 239.75, 1]}"), HasSubstr("intrinsic_matrix"));
+  EXPECT_THAT(CalibComplaint(start + "[525.5, 526.5, 319.25, 239.75]}"), HasSubstr("holds 4"));
+}
+
+TEST(CalibrationFile, RealSensesJson) {
+  const std::string start =
+      "{\"width\":640,\"height\":480,\"ppx\":319.25,\"ppy\":239.75,\"fx\":525.5,\"fy\":526.5,\"coeffs\":";
+  const std::string none = "[0.0, 0.0, 0.0, 0.0, 0.0]", some = "[0.1, -0.2, 0.003, 0.004, 0.5]";
+  for (const char* model : {"\"Inverse Brown Conrady\"", "\"distortion.inverse_brown_conrady\"", "2", "\"None\""}) {
+    ExpectCamera(ReadCalib(start + none + ",\"model\":" + model + "}"), {});
+    EXPECT_EQ(CalibComplaint(start + some + ",\"model\":" + model + "}").find("calib.yaml, line 1: model does not"),
+              0u);
+  }
+  for (const char* model : {"\"Brown Conrady\"", "\"distortion.brown_conrady\"", "4"}) {
+    ExpectCamera(ReadCalib(start + some + ",\"model\":" + model + "}"), {.1, -.2, .003, .004, .5, 0, 0, 0});
+  }
+  EXPECT_THAT(CalibComplaint(start + some + "}"), HasSubstr("coeffs does not say"));
+  EXPECT_THAT(CalibComplaint(start + none + ",\"model\":\"Kannala Brandt4\"}"), HasSubstr("undistort"));
+  EXPECT_EQ(ReadCalib(start + none + ",\"depth_scale\": 0.001}").depth_factor, 1000);
+}
+
+TEST(CalibrationFile, OurKeysMisspeltOrInAGroupAreRefused) {
+  const std::string ros =
+      "image_width: 640\nimage_height: 480\ncamera_matrix: {data: [525.5, 0, 319.25, 0, 526.5, 239.75, 0, 0, 1]}\n"
+      "distortion_coefficients: {data: []}\n";
+  const std::string kalibr =
+      "cam0:\n  intrinsics: [525.5, 526.5, 319.25, 239.75]\n  resolution: [640, 480]\n  distortion_coeffs: []\n";
+  for (const std::string& file : {ros, kalibr}) {
+    EXPECT_THAT(CalibComplaint(file + "depth_facter: 1000\n"), HasSubstr("the nearest is depth_factor"));
+    EXPECT_THAT(CalibComplaint(file + "Readout: 0.02\n"), HasSubstr("the nearest is readout_s"));
+    EXPECT_EQ(ReadCalib(file + "readout_s: 0.02\ntimeshift_cam_imu: 0.1\n").readout_s, 0.02);
+  }
+  EXPECT_THAT(CalibComplaint(kalibr + "  depth_factor: 1000\n"),
+              HasSubstr("line 5: cam0.depth_factor is not read there; write depth_factor at the top level"));
+}
+
 TEST(CalibrationFile, OpenCv) {
   ExpectCamera(
       ReadCalib("%YAML:1.0\n---\ncalibration_time: \"Mon\"\nimage_width: 640\nimage_height: 480\n"

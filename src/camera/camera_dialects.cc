@@ -7,13 +7,13 @@
 
 #include "camera/calibration_dialects.h"
 #include "camera/dialect_parts.h"
+#include "camera/sensor_dialects.h"
 #include "core/text.h"
 
 namespace yorb {
 namespace {
 
 constexpr double kSameBaseline = 0.05;  // Camera.bf and Stereo.b times fx may differ by so much: both are rounded
-constexpr size_t kMisspeltAt = 2;       // a key so many letters away from a known one is taken for that one misspelt
 
 Rig ReadOurs(KeyReader& reader) {
   const std::vector<std::string> known{
@@ -179,6 +179,10 @@ Result<Rig> RigFromKeys(const KeyTable& table) {
     rig = ReadIntrinsicsList(reader, "cam0.");
   } else if (table.Has("intrinsics") || table.Has("sensor_type")) {
     rig = ReadIntrinsicsList(reader, "");
+  } else if (IsOpen3d(table)) {
+    rig = ReadOpen3d(reader);
+  } else if (IsRealSense(table)) {
+    rig = ReadRealSense(reader);
   } else if (IsMatrixCalibration(table)) {
     rig = ReadMatrixCalibration(reader);
   } else {

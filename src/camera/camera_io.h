@@ -27,10 +27,11 @@ namespace yorb {
 //   readout_s: 0.026             # a rolling shutter's time from the first row to the last; left out: 0, all at once
 //
 // Read as well: ORB-SLAM2 and ORB-SLAM3 settings (and OpenVSLAM's, which are near to them), ROS camera_info, OpenCV
-// calibrations, Kalibr's camchain of one camera, EuRoC's sensor.yaml, VINS's pinhole cameras (camodocal). ROS's region
-// of interest is taken for the pictures' part of the whole picture. The calibration formats do not speak of depth:
-// depth_factor, baseline_*, close_factor, readout_s and fps may be added to them as top-level keys of the names above;
-// to ORB-SLAM's settings, too, but for fps. VINS's rolling_shutter and rolling_shutter_tr are readout_s.
+// calibrations, Kalibr's camchain of one camera, EuRoC's sensor.yaml, VINS's pinhole cameras (camodocal), and the JSON
+// of Open3D (intrinsic_matrix) and of librealsense (ppx, ppy, coeffs), whose depth_scale is a depth factor. ROS's
+// region of interest is taken for the pictures' part of the whole picture. The calibration formats do not speak of
+// depth: depth_factor, baseline_*, close_factor, readout_s and fps may be added to them as top-level keys of the names
+// above; to ORB-SLAM's settings, too, but for fps. VINS's rolling_shutter and rolling_shutter_tr are readout_s.
 //
 // A file that states no depth factor gives a rig with depth_factor 0, "not known", and one without a rate fps 0. No
 // default is taken for the depth factor, since a wrong one is a wrong scale: datasets refuses it when it meets a 16-bit

@@ -11,6 +11,21 @@ namespace {
 
 constexpr double kLongestReadout = 0.2;  // seconds
 
+/// Our own keys where a file of another kind has them misspelt, or in a group, where they are not read.
+void RefuseMisplacedDepthKeys(KeyReader& reader) {
+  const std::vector<std::string> ours{"depth_factor", "baseline_px", "baseline_m", "close_factor", "readout_s"};
+  for (const KeyEntry& entry : reader.table().entries) {
+    const std::string last = entry.key.substr(entry.key.rfind('.') + 1);
+    const bool is_ours = std::find(ours.begin(), ours.end(), last) != ours.end();
+    if (is_ours && last != entry.key)
+      reader.Refuse(entry.key, "is not read there; write " + last + " at the top level");
+    const bool is_near = std::any_of(ours.begin(), ours.end(), [&](const std::string& key) {
+      return EditDistance(LowerCase(entry.key), key) <= kMisspeltAt;
+    });
+    if (is_near && !is_ours) RefuseUnknown(reader, entry.key, ours);
+  }
+}
+
 }  // namespace
 
 bool IsOneOf(const std::string& word, std::initializer_list<const char*> words) {
@@ -73,6 +88,7 @@ void ReadShutter(KeyReader& reader, Rig& rig, const std::string& key) {
 }
 
 void ReadDepthKeys(KeyReader& reader, Rig& rig) {
+  RefuseMisplacedDepthKeys(reader);
   const double baseline = reader.Positive("baseline_m", kVirtualBaseline);
   if (reader.table().Has("baseline_px") && reader.table().Has("baseline_m")) {
     reader.Refuse("baseline_px", "and baseline_m are both given; one is enough");

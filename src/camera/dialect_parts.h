@@ -18,6 +18,9 @@ namespace yorb {
 inline constexpr double kVirtualBaseline = 0.08;
 inline constexpr double kDefaultCloseFactor = 40;
 
+/// A key so many letters away from a known one is taken for that one misspelt.
+inline constexpr size_t kMisspeltAt = 2;
+
 /// The remedy where a lens is of another kind.
 inline constexpr const char* kFishEye =
     "only pinhole cameras with radial-tangential or rational distortion are read; "
@@ -45,7 +48,8 @@ void ReadSingleDistortion(KeyReader& reader, const std::string& prefix, Pinhole&
 /// How long a rolling shutter takes: our key goes with all formats, since most of them have no word for it.
 void ReadShutter(KeyReader& reader, Rig& rig, const std::string& key = "readout_s");
 
-/// What our own format says about depth and time; the calibration formats may hold these keys too.
+/// What our own format says about depth and time; the calibration formats may hold these keys too: one that is
+/// misspelt, or stands within a group, is refused.
 void ReadDepthKeys(KeyReader& reader, Rig& rig);
 
 /// Refuses a key that is none of `known`, with the nearest of them.
