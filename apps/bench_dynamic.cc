@@ -128,7 +128,7 @@ void AddBenchDynamic(CLI::App& bench, Action& action) {
   const char* const kNewMaps = "every run of this bench begins a new map";
   arguments->sequences.AddTo(
       *dynamic, {{"--dynamics", "dynamics", "is what this bench compares; choose with --way"},
-                 {"--detections", "detections", "not taken here: full-exact finds people.txt beside the pictures"},
+                 {"--detections", "detections", "not taken here; full-exact finds people.txt beside the pictures"},
                  {"", "load_map", kNewMaps},
                  {"", "localize_only", kNewMaps}});
   dynamic

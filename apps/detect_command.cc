@@ -101,18 +101,26 @@ Result<std::unique_ptr<YoloDetector>> OpenDetector(const DetectArguments& argume
   return detector;
 }
 
-/// The classes of --classes; bad input for one that is not among the known.
+/// The classes of --classes, by their names or their places in the list of the known; bad input for one that is not
+/// among them. A comma too many is no class.
 Result<std::vector<std::string>> ClassesOf(const DetectArguments& arguments, const std::vector<std::string>& known) {
   std::vector<std::string> classes;
   if (!arguments.classes) return classes;
-  for (const std::string_view word : SplitAt(*arguments.classes, ',')) {
+  for (const std::string_view part : SplitAt(*arguments.classes, ',')) {
+    std::string word(Trim(part));
+    if (word.empty()) continue;
     const auto is_same = [&](const std::string& name) { return FoldClassName(name) == FoldClassName(word); };
     if (std::none_of(known.begin(), known.end(), is_same)) {
-      return BadInput("--classes: '" + std::string(word) + "' is no class that is known here; did you mean " +
-                      NearestWord(std::string(word), known) + "?");
+      const auto place = ParseInteger(word);
+      if (!place || *place < 0 || *place >= static_cast<long long>(known.size())) {
+        return BadInput("--classes: '" + word + "' is no class that is known here; did you mean " +
+                        NearestWord(word, known) + "?");
+      }
+      word = known[static_cast<size_t>(*place)];
     }
-    classes.emplace_back(word);
+    classes.push_back(std::move(word));
   }
+  if (classes.empty()) return BadInput("--classes " + *arguments.classes + " names no class; such as person,dog");
   return classes;
 }
 
@@ -303,7 +311,8 @@ void AddDetectCommand(CLI::App& program, Action& action) {
   command
       ->add_option("--iou", a->most_overlap, "Boxes of one class that overlap more are doubles [.45; --evaluate: .6]")
       ->type_name("X");
-  command->add_option("--classes", a->classes, "Only these, by name")->type_name("A,B");
+  command->add_option("--classes", a->classes, "Only these, by name or by number in the network's list")
+      ->type_name("A,B");
   command->add_flag("--json", a->wants_json, "A JSON line a picture; with --evaluate one JSON document");
   command->add_option("--save", a->save, "Pictures with the boxes drawn in go into this folder")->type_name("DIR");
   command->add_option("--engine", a->engine, "What runs the network: auto, xnnpack, opencv, onnxruntime [auto]")

@@ -111,7 +111,9 @@ std::string Explain(const CLI::App& program, const CLI::ParseError& error) {
     const std::string word = command.remaining().front();
     return word + " is no command of " + FullName(command) + "; did you mean " + Nearest(word, commands) + "?" + help;
   }
-  return FullName(command) + ": " + error.what() + help;
+  const std::string what = error.what();
+  const size_t start = what.find_first_not_of(": ");  // CLI11 begins so where it knows no name for an option
+  return FullName(command) + ": " + (start == std::string::npos ? what : what.substr(start)) + help;
 }
 
 /// Bad input for an option with nothing behind it, as scripts give it whose variable is not set: taken as left out, it

@@ -90,6 +90,9 @@ TEST_F(Detect, TextNamesWhatIsThereAndOnlyWhatWasAskedFor) {
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("cup"), testing::Not(HasSubstr("person "))));
   EXPECT_EQ(ReadPictureFile(folder_.Path("drawn/1.png")).pixels.size(), cv::Size(64, 64));
   ExpectRefused("cup", "set/images/1.png --model net.onnx --classes cap --json");
+  for (const char* same : {"Cup,", "' cup '", "1"})
+    EXPECT_EQ(Call(std::string("set/images/1.png --model net.onnx --classes ") + same).out,
+              Call("set/images/1.png --model net.onnx --classes Cup").out);
 }
 
 TEST_F(Detect, PicturesThatWereThereBeforeStay) {
@@ -143,6 +146,9 @@ TEST_F(Detect, BadInputIsRefusedInOneLine) {
   ExpectRefused("gone.onnx", "set/images --model gone.onnx --json");
   ExpectRefused("picture", "--model net.onnx --json");
   ExpectRefused("--conf", "set/images --model net.onnx --conf 2 --json");
+  ExpectRefused("names no class", "set/images --model net.onnx --classes , --json");
+  ExpectRefused("'preson' is no class", "set/images --model net.onnx --classes person,preson --json");
+  ExpectRefused("'99' is no class", "set/images --model net.onnx --classes 99 --json");
   ExpectRefused("--iou", "set/images --model net.onnx --iou x --json");
   ExpectRefused("--save", "set/images --model net.onnx --save /proc/nowhere --json");
   ExpectRefused("where the pictures are", "set/images --model net.onnx --save set/images --json");

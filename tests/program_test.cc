@@ -149,7 +149,7 @@ TEST_F(Program, BenchesOfferWhatTheyTake) {
   EXPECT_THAT(dynamic.out, HasSubstr("--mode "));
   for (const char* option : {"--dynamics", "--detections"}) {
     EXPECT_THAT(dynamic.out, Not(HasSubstr(option)));
-    ExpectRefused(option, {"bench", "dynamic", room, option, "full"});
+    ExpectRefused("yorb bench dynamic: " + std::string(option), {"bench", "dynamic", room, option, "full"});
   }
   for (const char* option : {"--mode", "--dynamics", "--detections", "--masks", "--model"}) {
     EXPECT_THAT(light.out, Not(HasSubstr(option)));
