@@ -3,6 +3,7 @@
 #include "detection/box_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -107,7 +108,32 @@ double ConfidenceOf(const Json& object) {
   return 1;
 }
 
-/// A box as its four edges, or as a list of them. What is wrong with it, in words; empty where all is well.
+/// The names of the four edges in files of several tools.
+constexpr std::array<std::array<const char*, 3>, 4> kEdges = {
+    {{"left", "xmin", "x1"}, {"top", "ymin", "y1"}, {"right", "xmax", "x2"}, {"bottom", "ymax", "y2"}}};
+
+/// The four edges by their names, in the box or in an object in it, or as a list. What is wrong, in words.
+std::string ReadEdges(const Json& object, Box& box) {
+  double* const edges[] = {&box.left, &box.top, &box.right, &box.bottom};
+  const auto inner = object.find("box");
+  const auto list = inner == object.end() ? object.find("xyxy") : inner;
+  const bool is_list = list != object.end() && list->is_array() && list->size() == 4;
+  const Json& named = inner != object.end() && inner->is_object() ? *inner : object;
+  for (size_t i = 0; i < 4; ++i) {
+    const auto key = std::find_if(kEdges[i].begin(), kEdges[i].end(), [&](const char* k) { return named.contains(k); });
+    if (!is_list && key == kEdges[i].end()) {
+      return std::string("a box has no ") + kEdges[i][0] +
+             (object.contains("bbox") || object.contains("xywh")
+                  ? "; four numbers may be a corner and a size, or two corners: write left, top, right and bottom"
+                  : "");
+    }
+    const Json one{{"edge", is_list ? (*list)[i] : named[*key]}};
+    *edges[i] = NumberOf(one, "edge", 0);
+  }
+  return "";
+}
+
+/// A box as its four edges, with name and confidence. What is wrong with it, in words; empty where all is well.
 std::string ReadBox(const Json& object, Box& box) {
   if (!object.is_object()) return "a box is an object with name, confidence, left, top, right, bottom";
   const auto name = NameOf(object);
@@ -116,16 +142,7 @@ std::string ReadBox(const Json& object, Box& box) {
   box.confidence = ConfidenceOf(object);
   if (box.confidence < 0 || box.confidence > kMostConfidence)
     return "a confidence is a number from 0 to 1, not " + FormatShortest(box.confidence);
-  const auto list = object.find("box");
-  const bool is_list = list != object.end() && list->is_array() && list->size() == 4;
-  const char* const keys[] = {"left", "top", "right", "bottom"};
-  double* const edges[] = {&box.left, &box.top, &box.right, &box.bottom};
-  for (size_t i = 0; i < 4; ++i) {
-    if (!is_list && object.find(keys[i]) == object.end()) return std::string("a box has no ") + keys[i];
-    const Json one{{"edge", is_list ? (*list)[i] : object[keys[i]]}};
-    *edges[i] = NumberOf(one, "edge", 0);
-  }
-  return "";
+  return ReadEdges(object, box);
 }
 
 std::optional<Timestamp> TimeOf(const Json& object) {
@@ -143,31 +160,71 @@ std::pair<int, int> SizeOf(const Json& object) {
   return is_size ? std::pair(static_cast<int>(width), static_cast<int>(height)) : std::pair(0, 0);
 }
 
-Status ReadJsonLines(const TextFile& text, BoxFile& file) {
+/// Where boxes are given for pictures that nothing says the time of.
+Error NoTime(const std::string& where, const Json& json) {
+  const std::string needed = where + ": has no timestamp in seconds";
+  if (json.contains("image_id") || json.contains("annotations")) {
+    return BadInput(needed + ": COCO's files name pictures by their ids; write a line a picture, " +
+                    "{\"timestamp\": 1.5, \"boxes\": [...]}");
+  }
+  if (json.contains("image"))
+    return BadInput(needed + ": it names a picture; `yorb detect SEQUENCE --json`, given the sequence's own folder, " +
+                    "writes lines with time stamps");
+  return BadInput(needed);
+}
+
+/// What is said of one picture, or of one box of it.
+Status ReadMoment(const Json& json, const std::string& where, int number, BoxFile& file) {
+  if (!json.is_object())
+    return BadInput(where + ": is no JSON object; a line is {\"timestamp\": 1.5, \"boxes\": [...]}");
+  const auto time = TimeOf(json);
+  if (!time && json.contains("timestamp")) return NoSeconds(where, json["timestamp"].dump());
+  if (!time) return NoTime(where, json);
+  Json list = Json::array();
+  const bool is_flat = json.contains("box") || json.contains("bbox") || json.contains("xyxy") ||
+                       std::any_of(kEdges[0].begin(), kEdges[0].end(), [&](const char* k) { return json.contains(k); });
+  for (const char* key : {"boxes", "detections"}) {
+    if (json.contains(key)) list = json[key];
+  }
+  if (is_flat && list.is_array()) list.push_back(json);
+  if (!list.is_array() || (list.empty() && !json.contains("boxes") && !json.contains("detections")))
+    return BadInput(where + ": has no list of boxes");
+  TimedBoxes moment{*time, {}, number};
+  if (!is_flat) std::tie(moment.width, moment.height) = SizeOf(json);
+  for (const Json& entry : list) {
+    Box box;
+    const std::string fault = ReadBox(entry, box);
+    if (!fault.empty()) return BadInput(where + ": " + fault);
+    Add(box, moment);
+  }
+  Add(std::move(moment), file);
+  return Status::Ok();
+}
+
+/// One document in place of lines: a list of what lines hold, or a single one of them over several lines.
+std::optional<Json> WholeDocument(const TextFile& text) {
+  const std::string& first = text.lines.front().text;
+  if (first.front() == '{' && Json::accept(first)) return std::nullopt;
+  std::string all;
+  for (const TextLine& line : text.lines) all += line.text + "\n";
+  Json json = Json::parse(all, nullptr, false);
+  if (json.is_discarded()) return std::nullopt;
+  return json.is_array() ? json : Json::array({json});
+}
+
+Status ReadJson(const TextFile& text, BoxFile& file) {
+  if (const auto whole = WholeDocument(text)) {
+    file.rows = "entry";
+    file.names_all = whole->empty();  // as in an empty file, nobody was seen
+    for (size_t i = 0; i < whole->size(); ++i) {
+      const std::string where = file.path + ", entry " + std::to_string(i + 1);
+      if (const Status read = ReadMoment((*whole)[i], where, static_cast<int>(i + 1), file); !read) return read;
+    }
+    return Status::Ok();
+  }
   for (const TextLine& line : text.lines) {
     const Json json = Json::parse(line.text, nullptr, false);
-    if (!json.is_object())
-      return BadInput(text.Where(line) + ": is no JSON object; a line is {\"timestamp\": 1.5, \"boxes\": [...]}");
-    const auto time = TimeOf(json);
-    if (!time && json.contains("timestamp")) return NoSeconds(text.Where(line), json["timestamp"].dump());
-    if (!time) return BadInput(text.Where(line) + ": has no timestamp in seconds");
-    Json list = Json::array();
-    const bool is_flat = json.contains("box") || json.contains("left");
-    for (const char* key : {"boxes", "detections"}) {
-      if (json.contains(key)) list = json[key];
-    }
-    if (is_flat && list.is_array()) list.push_back(json);
-    if (!list.is_array() || (list.empty() && !json.contains("boxes") && !json.contains("detections")))
-      return BadInput(text.Where(line) + ": has no list of boxes");
-    TimedBoxes moment{*time, {}, line.number};
-    if (!is_flat) std::tie(moment.width, moment.height) = SizeOf(json);
-    for (const Json& entry : list) {
-      Box box;
-      const std::string fault = ReadBox(entry, box);
-      if (!fault.empty()) return BadInput(text.Where(line) + ": " + fault);
-      Add(box, moment);
-    }
-    Add(std::move(moment), file);
+    if (const Status read = ReadMoment(json, text.Where(line), line.number, file); !read) return read;
   }
   return Status::Ok();
 }
@@ -197,8 +254,9 @@ Result<BoxFile> ReadBoxFile(const std::string& path) {
   if (!text) return text.error();
   BoxFile file;
   file.path = path;
-  file.names_all = text->lines.empty() || text->lines.front().text.front() != '{';
-  const Status status = file.names_all ? ReadPeople(*text, file) : ReadJsonLines(*text, file);
+  const char first = text->lines.empty() ? '0' : text->lines.front().text.front();
+  file.names_all = first != '{' && first != '[';
+  const Status status = file.names_all ? ReadPeople(*text, file) : ReadJson(*text, file);
   if (!status) return status.error();
   if (AreFractions(file))
     return BadInput(path + ": all boxes lie between 0 and 1, as fractions of the picture do; pixels are expected");

@@ -16,7 +16,7 @@ namespace yorb {
 struct TimedBoxes {
   Timestamp time;
   std::vector<Box> boxes;
-  int line = 0;               ///< of the file
+  int line = 0;               ///< of the file, or which entry of a JSON list
   int width = 0, height = 0;  ///< of the picture that the boxes were found in, in pixels; 0: not said
   size_t num_dropped = 0;     ///< boxes that were empty, swapped or no numbers: somebody may have been meant
 };
@@ -25,14 +25,15 @@ struct TimedBoxes {
 struct BoxFile {
   std::string path;
   std::vector<TimedBoxes> moments;  ///< in the order of the file
+  std::string rows = "line";        ///< what the moments stand in, for messages: "line", or "entry" of a JSON list
   bool names_all = false;           ///< a moment without a line has nobody in it (people.txt), else nobody looked
 
   size_t num_dropped() const;  ///< of all moments
 };
 
-/// Reads people.txt (`timestamp left top right bottom visible_px`, all persons) or JSON lines, told apart by the first
-/// line. Bad input names file and line. JSON lines may say `width` and `height` of their picture. Boxes that all look
-/// like fractions of the picture are bad input, too.
+/// Reads people.txt (`timestamp left top right bottom visible_px`, all persons), JSON lines or one JSON list of what
+/// they hold, told apart by the first line. Bad input names file and line. JSON lines may say `width` and `height` of
+/// their picture. Boxes that all look like fractions of the picture are bad input, too.
 Result<BoxFile> ReadBoxFile(const std::string& path);
 
 /// A moment as a JSON line, `{"timestamp": ..., "boxes": [...]}`, without a line end. `time`, `image`, `width` and

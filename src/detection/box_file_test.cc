@@ -65,6 +65,44 @@ TEST(BoxFile, JsonLinesAreReadInTheirSpellings) {
   }
 }
 
+TEST(BoxFile, EdgesGoByTheNamesOfSeveralTools) {
+  const std::string start = "{\"timestamp\": 1.5, \"boxes\": [{\"name\": \"person\", \"class\": 0, ";
+  for (const char* edges : {"\"xmin\": 1, \"ymin\": 2, \"xmax\": 30, \"ymax\": 40", "\"xyxy\": [1, 2, 30, 40]",
+                            "\"box\": {\"x1\": 1, \"y1\": 2, \"x2\": 30, \"y2\": 40}"}) {
+    const auto file = Read(start + edges + "}]}\n");
+    ASSERT_TRUE(file) << file.error().message;
+    const Box& box = file->moments.at(0).boxes.at(0);
+    EXPECT_EQ(box.name, "person");
+    EXPECT_EQ(std::vector<double>({box.left, box.top, box.right, box.bottom}), std::vector<double>({1, 2, 30, 40}));
+  }
+  for (const char* unclear : {"\"bbox\": [1, 2, 30, 40]", "\"xywh\": [1, 2, 30, 40]"})
+    EXPECT_THAT(Read(start + unclear + "}]}\n").error().message, HasSubstr("line 1: a box has no left; four numbers"));
+}
+
+TEST(BoxFile, OneDocumentIsReadAsItsLinesWouldBe) {
+  const std::string one = "{\n \"timestamp\": 1.5,\n \"boxes\": [{\"name\": \"dog\", \"box\": [1, 2, 30, 40]}]\n}";
+  const std::string other = "{\"timestamp\": 2.5, \"boxes\": []}";
+  for (const std::string& text : {"[" + one + ", " + other + "]", "[" + other + ",\n" + one + "]\n", one}) {
+    const auto file = Read(text);
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_FALSE(file->names_all);
+    EXPECT_EQ(file->moments.size(), text == one ? 1u : 2u);
+    const size_t num_boxes = file->moments.front().boxes.size() + file->moments.back().boxes.size();
+    EXPECT_EQ(num_boxes, text == one ? 2u : 1u) << "front and back are one where there is one";
+  }
+  EXPECT_TRUE(Read("[]\n")->names_all) << "nobody, as in an empty file";
+  EXPECT_THAT(Read("[" + other + ", 7]").error().message, HasSubstr("entry 2: is no JSON object"));
+  EXPECT_THAT(Read("[" + other + ",\n").error().message, HasSubstr("line 1: is no JSON object"));
+}
+
+TEST(BoxFile, WhatNamesPicturesAndNoTimesIsToldWhatToDo) {
+  const std::string results = "[{\"image_id\": 1, \"category_id\": 1, \"bbox\": [1, 2, 30, 40], \"score\": 0.9}]";
+  EXPECT_THAT(Read(results).error().message, HasSubstr("COCO's files name pictures by their ids"));
+  EXPECT_THAT(Read("{\"images\": [], \"annotations\": []}").error().message, HasSubstr("COCO's"));
+  EXPECT_THAT(Read("{\"image\": \"a.png\", \"width\": 640, \"height\": 480, \"boxes\": []}").error().message,
+              HasSubstr("`yorb detect SEQUENCE --json`"));
+}
+
 TEST(BoxFile, ConfidencesGoByThreeNamesAndAreSharesOf1) {
   const auto read = [](const std::string& confidence) {
     return Read(R"({"timestamp": 1.5, "boxes": [{"name": "person", )" + confidence + R"("box": [10, 20, 90, 200]}]})");

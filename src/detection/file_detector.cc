@@ -58,6 +58,7 @@ void DropDoubles(std::vector<Box>& boxes) {
 Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, const std::vector<Timestamp>& frames) {
   std::unique_ptr<FileDetector> detector(new FileDetector());
   detector->path_ = file.path;
+  detector->rows_ = file.rows;
   detector->names_all_ = file.names_all;
   size_t num_matched = 0;
   for (const TimedBoxes& moment : file.moments) {
@@ -84,7 +85,7 @@ Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, co
 Status FileDetector::Scale(TimedBoxes& moment, int width, int height) {
   if (moment.width == 0 || (moment.width == width && moment.height == height)) return Status::Ok();
   const double x = static_cast<double>(width) / moment.width, y = static_cast<double>(height) / moment.height;
-  const std::string sizes = path_ + ", line " + std::to_string(moment.line) + ": boxes of a picture of " +
+  const std::string sizes = path_ + ", " + rows_ + " " + std::to_string(moment.line) + ": boxes of a picture of " +
                             SizeText(moment.width, moment.height) + " pixels for one of " + SizeText(width, height);
   if (std::abs(x / y - 1) > kMostStretch)
     return BadInput(sizes + "; find them anew in these pictures, or leave width and height out of the file");

@@ -29,7 +29,7 @@ class FileDetector : public Detector {
   FileDetector() = default;
   Status Scale(TimedBoxes& moment, int width, int height);
 
-  std::string path_;
+  std::string path_, rows_;
   std::map<Timestamp, std::vector<TimedBoxes>> by_frame_;
   bool names_all_ = false;
   bool has_told_of_outside_ = false, has_told_of_size_ = false;
