@@ -3,6 +3,7 @@
 #include "datasets/masked_dataset.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <opencv2/core.hpp>
@@ -11,6 +12,7 @@
 #include "core/log.h"
 #include "core/text.h"
 #include "pictures/picture_file.h"
+#include "pictures/picture_folder.h"
 
 namespace yorb {
 namespace {
@@ -47,8 +49,17 @@ std::string MaskOf(const MaskFolder& masks, const Dataset& source, size_t i) {
     const auto by_name = masks.by_name.find(name.string());
     if (by_name != masks.by_name.end()) return by_name->second;
   }
-  const auto by_time = masks.by_time.find(source.TimeOf(i));
-  return by_time == masks.by_time.end() ? std::string() : by_time->second;
+  // Names are rounded, or cut, to the decimals that their writer had.
+  constexpr int64_t kRounded_ns = 1'000'000;
+  const int64_t time_ns = source.TimeOf(i).ns;
+  const auto after = masks.by_time.lower_bound(Timestamp{time_ns - kRounded_ns + 1});
+  std::string nearest;
+  int64_t least_ns = kRounded_ns;
+  for (auto at = after; at != masks.by_time.end() && at->first.ns - time_ns < kRounded_ns; ++at) {
+    const int64_t apart_ns = std::abs(at->first.ns - time_ns);
+    if (apart_ns < least_ns) least_ns = apart_ns, nearest = at->second;
+  }
+  return nearest;
 }
 
 /// Not 0 where any colour of the mask is not: a palette counts by its colours, as a viewer shows it.
@@ -76,17 +87,58 @@ bool IsDrawnInTransparency(const cv::Mat& stored, const cv::Mat& mask) {
   return least < most;
 }
 
-/// Masks of which none can be read are no masks; the first one that can be ends the search.
-Status CheckAnyIsReadable(const std::vector<std::string>& files, const std::string& masks) {
+Error UnlikeSize(const std::string& file, const cv::Size& mask, const cv::Size& picture) {
+  return BadInput("the mask " + file + " is " + SizeText(mask) + ", its picture is " + SizeText(picture) +
+                  "; a mask has a pixel for each of its picture's");
+}
+
+/// Masks of which none can be read are no masks; the first one that can be ends the search, and speaks for the size of
+/// all, before any work is done.
+Status CheckFirstReadable(const std::vector<std::string>& files, const std::string& masks, const Rig& rig) {
   std::string first_fault;
+  const cv::Size size(rig.camera.width, rig.camera.height);
   for (const std::string& file : files) {
     if (file.empty()) continue;
-    const std::string fault = ReadPictureFile(file).fault;
-    if (fault.empty()) return Status::Ok();
-    if (first_fault.empty()) first_fault = file + " " + fault;
+    const StoredPicture stored = ReadPictureFile(file);
+    if (stored.fault.empty() && !size.empty() && stored.pixels.size() != size)
+      return UnlikeSize(file, stored.pixels.size(), size);
+    if (stored.fault.empty()) return Status::Ok();
+    if (first_fault.empty()) first_fault = file + " " + stored.fault;
     if (file == masks) break;  // one for all frames
   }
   return BadInput("--masks: " + first_fault + (fs::is_directory(masks) ? ", and no other mask can be read" : ""));
+}
+
+/// A word where most of what is seen is masked: COLMAP's masks, and others, are the other way round.
+void WarnOfNegatives(const std::vector<std::string>& files, const std::string& masks) {
+  constexpr size_t kTried = 5;
+  constexpr double kMost = 0.6;
+  std::vector<double> shares;
+  const size_t step = std::max<size_t>(1, files.size() / kTried);
+  for (size_t i = 0; i < files.size() && shares.size() < kTried; i += step) {
+    if (files[i].empty() || (files[i] == masks && !shares.empty())) continue;
+    const StoredPicture stored = ReadPictureFile(files[i]);
+    if (!stored.fault.empty()) continue;
+    shares.push_back(cv::countNonZero(ToMask(stored.pixels)) / static_cast<double>(stored.pixels.total()));
+  }
+  if (shares.empty() || *std::min_element(shares.begin(), shares.end()) < kMost) return;
+  LogWarning("masks-negative", masks + ": the masks take away " + FormatFixed(100 * shares.front(), 0) +
+                                   " % of a picture: what is not black is not used; where black marks what is not, as "
+                                   "in COLMAP's masks, turn them into their negatives");
+}
+
+/// Why a folder has no mask for any picture.
+Error NoneNamed(const std::string& masks, const MaskFolder& folder, const Dataset& source) {
+  if (folder.by_name.empty()) {
+    const size_t num_others = PicturesIn(masks).size();
+    return BadInput("--masks: " + masks + " holds no PNG" +
+                    (num_others > 0 ? "; of the other formats' pictures in it, " + std::to_string(num_others) +
+                                          ", none serves: JPEG smears edges. Save masks as PNG"
+                                    : ""));
+  }
+  return BadInput("--masks: none of the " + std::to_string(folder.by_name.size()) + " PNGs in " + masks +
+                  " is named as a colour picture or by its time stamp" +
+                  (source.size() > 0 ? ", such as " + fs::path(source.PictureName(0)).stem().string() + ".png" : ""));
 }
 
 }  // namespace
@@ -96,7 +148,8 @@ Result<std::unique_ptr<MaskedDataset>> MaskedDataset::Open(const Dataset& source
   std::error_code ignored;
   if (fs::is_regular_file(masks, ignored)) {
     masked->files_.assign(source.size(), masks);
-    if (const Status readable = CheckAnyIsReadable({masks}, masks); !readable) return readable.error();
+    if (const Status readable = CheckFirstReadable({masks}, masks, source.rig()); !readable) return readable.error();
+    WarnOfNegatives(masked->files_, masks);
     return masked;
   }
   if (!fs::is_directory(masks, ignored)) return BadInput("--masks: there is no file or folder " + masks);
@@ -106,16 +159,14 @@ Result<std::unique_ptr<MaskedDataset>> MaskedDataset::Open(const Dataset& source
     masked->files_.push_back(MaskOf(folder, source, i));
     num_without += masked->files_.back().empty();
   }
-  if (num_without == source.size()) {
-    return BadInput("--masks: none of the " + std::to_string(folder.by_name.size()) + " PNGs in " + masks +
-                    " is named as a colour picture or by its time stamp" +
-                    (source.size() > 0 ? ", such as " + fs::path(source.PictureName(0)).stem().string() + ".png" : ""));
-  }
+  if (num_without == source.size()) return NoneNamed(masks, folder, source);
   if (num_without > 0) {
     LogWarning("masks-missing", std::to_string(num_without) + " of " + std::to_string(source.size()) +
                                     " pictures have no mask in " + masks + " and are used as a whole");
   }
-  if (const Status readable = CheckAnyIsReadable(masked->files_, masks); !readable) return readable.error();
+  if (const Status readable = CheckFirstReadable(masked->files_, masks, source.rig()); !readable)
+    return readable.error();
+  WarnOfNegatives(masked->files_, masks);
   return masked;
 }
 
@@ -129,8 +180,7 @@ Result<LoadedFrame> MaskedDataset::Load(size_t i) const {
     return frame;
   }
   if (stored.pixels.size() != frame->images->grey.size()) {
-    return BadInput("the mask " + files_[i] + " is " + SizeText(stored.pixels.size()) + ", its picture is " +
-                    SizeText(frame->images->grey.size()));
+    return UnlikeSize(files_[i], stored.pixels.size(), frame->images->grey.size());
   }
   frame->images->ignored = ToMask(stored.pixels);
   if (IsDrawnInTransparency(stored.pixels, frame->images->ignored)) {

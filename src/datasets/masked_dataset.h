@@ -16,8 +16,9 @@ namespace yorb {
 class MaskedDataset : public Dataset {
  public:
   /// `masks`: one PNG for all frames, or a folder of PNGs that are named as the colour pictures (a.png or a.jpg.png
-  /// for a.jpg) or by their time stamps. Bad input where it is missing, no mask of the folder belongs to a frame, or
-  /// none can be read; frames without one are counted in a warning. `source` must live longer.
+  /// for a.jpg) or by their time stamps, to the millisecond. Bad input where it is missing, no mask of the folder
+  /// belongs to a frame, none can be read, or the first one is of another size than the pictures; frames without one
+  /// are counted in a warning. `source` must live longer.
   static Result<std::unique_ptr<MaskedDataset>> Open(const Dataset& source, const std::string& masks);
 
   size_t size() const override { return source_.size(); }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "pictures/test_folder.h"
 
 namespace yorb {
@@ -19,6 +21,7 @@ class TwoPictures : public Dataset {
   Timestamp TimeOf(size_t i) const override { return {static_cast<int64_t>(i + 1) * 1'500'000'000}; }
   std::string PictureName(size_t i) const override { return "rgb/picture" + std::to_string(i) + ".jpg"; }
   const Rig& rig() const override { return rig_; }
+  void SetSize(int width, int height) { rig_.camera.width = width, rig_.camera.height = height; }
   Result<LoadedFrame> Load(size_t i) const override {
     LoadedFrame frame;
     frame.images.emplace();
@@ -57,6 +60,34 @@ TEST_F(MaskedDatasetTest, MasksAreFoundByNameAndByTimeStamp) {
     EXPECT_EQ(cv::countNonZero(ignored), 20 * 30);
     EXPECT_NE(ignored.at<uint8_t>(3, 3), 0);
   }
+}
+
+TEST_F(MaskedDatasetTest, StampsThatAreCutOrRoundedAreFoundAndOthersNot) {
+  WriteMask("1.4991.png", LeftHalf());
+  WriteMask("1.5009.png", cv::Mat(30, 40, CV_8UC1, cv::Scalar(0)));
+  WriteMask("1.49905.png", cv::Mat(30, 40, CV_8UC1, cv::Scalar(0)));
+  WriteMask("3.001.png", LeftHalf());
+  const auto masked = MaskedDataset::Open(source_, folder_.Path(""));
+  ASSERT_TRUE(masked.ok()) << masked.error().message;
+  EXPECT_EQ(cv::countNonZero((*masked)->Load(0)->images->ignored), 20 * 30) << "the nearest, of equals the first";
+  EXPECT_TRUE((*masked)->Load(1)->images->ignored.empty()) << "a millisecond off is another picture";
+}
+
+TEST_F(MaskedDatasetTest, NegativesAreToldOf) {
+  const auto warning = [&](const std::string& masks) {
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(MaskedDataset::Open(source_, folder_.Path(masks)).ok());
+    return testing::internal::GetCapturedStderr();
+  };
+  for (const char* name : {"picture0.png", "picture1.png"}) WriteMask(name, LeftHalf() == 0);
+  EXPECT_EQ(warning(""), "") << "half of it";
+  cv::Mat most(30, 40, CV_8UC1, cv::Scalar(255));
+  most.colRange(0, 4).setTo(0);
+  WriteMask("picture0.png", most);
+  EXPECT_EQ(warning(""), "") << "one picture may be full of people";
+  WriteMask("picture1.png", most);
+  EXPECT_THAT(warning(""), HasSubstr("take away 90 % of a picture"));
+  EXPECT_THAT(warning("picture0.png"), HasSubstr("negatives"));
 }
 
 TEST_F(MaskedDatasetTest, EndingsInCapitalsAndBehindTheWholeNameAreFound) {
@@ -139,6 +170,12 @@ TEST_F(MaskedDatasetTest, WhatCannotBeUsedIsRefused) {
   ASSERT_TRUE(masked.ok());
   EXPECT_TRUE((*masked)->Load(0)->images->ignored.empty());
   EXPECT_THAT((*masked)->Load(1).error().message, HasSubstr("20x15"));
+  source_.SetSize(40, 30);
+  EXPECT_THAT(MaskedDataset::Open(source_, folder_.Path("")).error().message, HasSubstr("20x15")) << "before any work";
+  std::filesystem::create_directories(folder_.Path("jpegs"));
+  EXPECT_THAT(MaskedDataset::Open(source_, folder_.Path("jpegs")).error().message, HasSubstr("holds no PNG"));
+  folder_.WritePicture("jpegs/picture0.jpg", LeftHalf());
+  EXPECT_THAT(MaskedDataset::Open(source_, folder_.Path("jpegs")).error().message, HasSubstr("Save masks as PNG"));
 }
 
 }  // namespace
