@@ -117,6 +117,7 @@ int Dynamic(const DynamicArguments& arguments) {
     const Status written = WriteFilesTogether(DynamicFiles(*report, opened->sequences, *arguments.out));
     if (!written) return Complain(written.error());
   }
+  if (report->error) return Complain(*report->error);  // after all that was measured until then
   return ExitCodeAfterSignal(kExitDone);
 }
 

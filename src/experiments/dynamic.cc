@@ -109,8 +109,20 @@ Status CheckTasks(const std::vector<DynamicTask>& tasks, const DynamicBenchOptio
     if (task.seed != options.config.seed) continue;
     const auto parts = MakeParts(ConfigOf(task, options.config), *task.sequence->dataset);
     if (!parts) return parts.error();
+    if (options.config.masks.empty()) continue;
+    const auto masked = MaskedDataset::Open(*task.sequence->dataset, options.config.masks);
+    if (!masked) return masked.error();
   }
   return Status::Ok();
+}
+
+/// Without a truth there are no errors to compare, which somebody who waits for hours should know before.
+void WarnOfMissingTruth(const std::vector<DynamicSequence>& sequences) {
+  for (const DynamicSequence& sequence : sequences) {
+    if (sequence.truth.empty())
+      LogWarning("bench-truth",
+                 sequence.name + " has no groundtruth.txt: its runs have a coverage and times, no errors");
+  }
 }
 
 /// A folder that is called mask and holds something else is no fault.
@@ -119,9 +131,9 @@ std::vector<DynamicSequence> WithoutForeignMasks(std::vector<DynamicSequence> se
     if (sequence.masks.empty()) continue;
     const auto none = ScoreRemoval({}, *sequence.dataset, sequence.masks);
     if (none) continue;
-    LogWarning("bench-masks", sequence.masks +
-                                  " holds no PNGs by the names or time stamps of the pictures; nothing is "
-                                  "said of how rightly points are removed");
+    LogWarning("bench-masks",
+               sequence.masks +
+                   " is not used, so that nothing is said of how rightly points are removed: " + none.error().message);
     sequence.masks.clear();
   }
   return sequences;
@@ -146,6 +158,7 @@ Result<DynamicReport> MeasureDynamic(const std::vector<DynamicSequence>& sequenc
   const std::vector<DynamicSequence> known = WithoutForeignMasks(sequences);
   const std::vector<DynamicTask> tasks = TasksOf(known, options);
   if (const Status fine = CheckTasks(tasks, options); !fine) return fine.error();
+  WarnOfMissingTruth(known);
   const size_t num_frames = FramesOf(tasks, options.config);
   size_t num_done = 0;  // in runs that are over
   DynamicReport report;
@@ -156,11 +169,10 @@ Result<DynamicReport> MeasureDynamic(const std::vector<DynamicSequence>& sequenc
       if (hooks.on_frame) hooks.on_frame(num_done + fed.fates.size(), num_frames);
     };
     auto run = RunTask(task, ConfigOf(task, options.config), feed_hooks);
-    if (!run) return run.error();
-    if (!*run) {
-      report.was_stopped = true;
-      return report;
-    }
+    if (!run && report.runs.empty()) return run.error();
+    if (!run) report.error = run.error();
+    report.was_stopped = run && !*run;
+    if (report.error || report.was_stopped) return report;
     num_done += (*run)->num_frames;
     report.runs.push_back(**std::move(run));
     if (hooks.on_run) hooks.on_run(report.runs.back());

@@ -67,10 +67,11 @@ struct DynamicBenchHooks {
 /// All runs: sequence by sequence, way by way, seed by seed.
 struct DynamicReport {
   std::vector<DynamicRun> runs;
-  bool was_stopped = false;  ///< the runs that were done by then are there
+  bool was_stopped = false;    ///< the runs that were done by then are there
+  std::optional<Error> error;  ///< what ended it after these runs
 };
 
-/// Runs each recording in each way.
+/// Runs each recording in each way. An error before the first run is done is the result, a later one a part of it.
 Result<DynamicReport> MeasureDynamic(const std::vector<DynamicSequence>& sequences, const DynamicBenchOptions& options,
                                      const DynamicBenchHooks& hooks);
 

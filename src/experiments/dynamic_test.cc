@@ -162,6 +162,29 @@ TEST_F(DynamicBench, StopsWhenAskedAndKeepsWhatIsDone) {
   EXPECT_EQ(report->runs.size(), 1u);
 }
 
+TEST_F(DynamicBench, WhatFailsLaterLosesNothingThatWasMeasured) {
+  class Breaking : public RoomDataset {
+   public:
+    using RoomDataset::RoomDataset;
+    Result<LoadedFrame> Load(size_t i) const override {
+      if (i == 1) return BadInput("1.png is of another size");
+      return RoomDataset::Load(i);
+    }
+  };
+  const Breaking breaking(3);
+  DynamicBenchOptions options = *options_;
+  options.ways = {dynamic_way::kOff};
+  options.num_runs = 1;
+  options.config.max_frames = 2;
+  const DynamicSequence bad{"bad", &breaking, {}, "", ""};
+  const auto report = MeasureDynamic({Room(), bad}, options, {});
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_EQ(report->runs.size(), 1u);
+  ASSERT_TRUE(report->error.has_value());
+  EXPECT_THAT(report->error->message, testing::HasSubstr("another size"));
+  EXPECT_FALSE(MeasureDynamic({bad, Room()}, options, {}).ok()) << "nothing was measured";
+}
+
 TEST_F(DynamicBench, NamesWhatIsWrongWithTheBoxes) {
   DynamicBenchOptions options = *options_;
   options.ways = {dynamic_way::kFullExact};
