@@ -236,6 +236,9 @@ TEST(FileDetector, AFileOfAnotherRecordingIsRefused) {
   ASSERT_FALSE(detector);
   EXPECT_THAT(detector.error().message, AllOf(HasSubstr("boxes.txt"), HasSubstr("100.000000"), HasSubstr("2.000000")));
   EXPECT_TRUE(FileDetector::Make(*Read(""), {At("1")}));
+  const auto late = FileDetector::Make(*Read("1.02 10 20 30 40 1\n1.98 10 20 30 40 1\n"), {At("1"), At("2")});
+  EXPECT_THAT(late.error().message, HasSubstr("; the nearest is 20 ms away"));
+  EXPECT_EQ(late.error().message.find("another recording"), std::string::npos);
 }
 
 TEST(MotionTable, GoesByNameHoweverItIsSpelt) {

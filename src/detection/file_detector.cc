@@ -18,10 +18,10 @@ constexpr double kMostApart = 0.015;   // seconds between a box and its frame
 constexpr double kMostStretch = 0.02;  // of one side against the other, as rounding leaves it
 
 /// The frame nearest to a moment; nothing where none is near enough.
-const Timestamp* NearestFrame(Timestamp time, const std::vector<Timestamp>& frames) {
+const Timestamp* NearestFrame(Timestamp time, const std::vector<Timestamp>& frames, double most_apart) {
   const auto after = std::lower_bound(frames.begin(), frames.end(), time);
   const Timestamp* nearest = nullptr;
-  double least = kMostApart + 1e-6;
+  double least = most_apart + 1e-6;
   for (const auto candidate : {after, after == frames.begin() ? frames.end() : after - 1}) {
     if (candidate == frames.end()) continue;
     const double apart = std::abs(SecondsBetween(*candidate, time));
@@ -31,11 +31,20 @@ const Timestamp* NearestFrame(Timestamp time, const std::vector<Timestamp>& fram
 }
 
 Error NoneFits(const BoxFile& file, const std::vector<Timestamp>& frames) {
+  constexpr double kAnotherClockS = 1;  // by which a sensor's and a detector's stamps of one picture differ at most
   std::vector<Timestamp> times;
-  for (const TimedBoxes& moment : file.moments) times.push_back(moment.time);
-  return BadInput(file.path + " belongs to another recording: none of its moments, " + RangeText(times) +
-                  ", is within 15 ms of a picture" +
-                  (frames.empty() ? "" : "; the pictures cover " + RangeText(frames)));
+  double least = kAnotherClockS;
+  for (const TimedBoxes& moment : file.moments) {
+    times.push_back(moment.time);
+    const Timestamp* nearest = NearestFrame(moment.time, frames, least);
+    if (nearest != nullptr) least = std::min(least, std::abs(SecondsBetween(*nearest, moment.time)));
+  }
+  const bool is_near = least < kAnotherClockS;
+  return BadInput(
+      file.path + (is_near ? ": " : " belongs to another recording: ") + "none of its moments, " + RangeText(times) +
+      ", is within 15 ms of a picture" + (frames.empty() ? "" : "; the pictures cover " + RangeText(frames)) +
+      (is_near ? "; the nearest is " + FormatFixed(1000 * least, 0) + " ms away: give each box the stamp of its picture"
+               : ""));
 }
 
 /// A box that stands there twice, as where files were joined, is one thing: two would share its points and its body.
@@ -62,7 +71,7 @@ Result<std::unique_ptr<FileDetector>> FileDetector::Make(const BoxFile& file, co
   detector->names_all_ = file.names_all;
   size_t num_matched = 0;
   for (const TimedBoxes& moment : file.moments) {
-    const Timestamp* frame = NearestFrame(moment.time, frames);
+    const Timestamp* frame = NearestFrame(moment.time, frames, kMostApart);
     if (frame == nullptr) {
       detector->num_unmatched_ += moment.boxes.size();
       continue;

@@ -30,8 +30,14 @@ void WarnOfUnknownNames(const BoxFile& file, const MotionTable& motions) {
     }
   }
   if (unknown.empty()) return;
+  constexpr size_t kMostNamed = 10;
   std::string names;
-  for (const std::string& name : unknown) names += (names.empty() ? "'" : ", '") + name + "'";
+  size_t num_named = 0;
+  for (const std::string& name : unknown) {
+    if (num_named++ == kMostNamed) break;
+    names += (names.empty() ? "'" : ", '") + name + "'";
+  }
+  if (unknown.size() > kMostNamed) names += " and " + std::to_string(unknown.size() - kMostNamed) + " more";
   LogWarning("boxes-unknown", file.path + ": no motion is known of the class " + names +
                                   "; it counts as static (models/classes.txt has the table)");
 }

@@ -162,6 +162,21 @@ TEST_F(Runs, WithoutAMapSayThatBoxesHideEverything) {
   std::filesystem::remove(boxes);
 }
 
+TEST_F(Runs, NameSomeOfManyUnknownClassesInOneLine) {
+  const std::string boxes = out_ + "_boxes.jsonl";
+  std::string list;
+  for (int i = 10; i < 40; ++i) {
+    list += (i > 10 ? ", " : "") + std::string("{\"name\": \"thing") + std::to_string(i) + "\", \"box\": [1, 1, 9, 9]}";
+  }
+  ASSERT_TRUE(WriteFileWhole(boxes, "{\"timestamp\": 100, \"boxes\": [" + list + "]}\n"));
+  RunOptions options = Options("inline");
+  options.config.detections = boxes;
+  ASSERT_TRUE(RunSequence(WallDataset(1), options, {}).ok());
+  EXPECT_THAT(Text("log.txt"), HasSubstr("of the class 'thing10', 'thing11', "));
+  EXPECT_THAT(Text("log.txt"), HasSubstr("'thing19' and 20 more; it counts as static"));
+  std::filesystem::remove(boxes);
+}
+
 TEST_F(Runs, TakeOnlySoManyFrames) {
   RunOptions options = Options("inline");
   options.config.max_frames = 5;
