@@ -113,11 +113,13 @@ Status CheckFirstReadable(const std::vector<std::string>& files, const std::stri
 void WarnOfNegatives(const std::vector<std::string>& files, const std::string& masks) {
   constexpr size_t kTried = 5;
   constexpr double kMost = 0.6;
+  std::vector<std::string> there;
+  for (const std::string& file : files) {
+    if (!file.empty() && (there.empty() || file != there.back())) there.push_back(file);
+  }
   std::vector<double> shares;
-  const size_t step = std::max<size_t>(1, files.size() / kTried);
-  for (size_t i = 0; i < files.size() && shares.size() < kTried; i += step) {
-    if (files[i].empty() || (files[i] == masks && !shares.empty())) continue;
-    const StoredPicture stored = ReadPictureFile(files[i]);
+  for (size_t i = 0; i < std::min(there.size(), kTried); ++i) {
+    const StoredPicture stored = ReadPictureFile(there[i * there.size() / std::min(there.size(), kTried)]);
     if (!stored.fault.empty()) continue;
     shares.push_back(cv::countNonZero(ToMask(stored.pixels)) / static_cast<double>(stored.pixels.total()));
   }
@@ -132,8 +134,8 @@ Error NoneNamed(const std::string& masks, const MaskFolder& folder, const Datase
   if (folder.by_name.empty()) {
     const size_t num_others = PicturesIn(masks).size();
     return BadInput("--masks: " + masks + " holds no PNG" +
-                    (num_others > 0 ? "; of the other formats' pictures in it, " + std::to_string(num_others) +
-                                          ", none serves: JPEG smears edges. Save masks as PNG"
+                    (num_others > 0 ? " but " + std::to_string(num_others) +
+                                          " of other formats; save masks as PNG, since JPEG smears their edges"
                                     : ""));
   }
   return BadInput("--masks: none of the " + std::to_string(folder.by_name.size()) + " PNGs in " + masks +
