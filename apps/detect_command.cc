@@ -74,15 +74,14 @@ Result<DetectionOptions> OptionsOf(const DetectArguments& arguments) {
 
 /// The sides that --size N,N,... names; none where it is left out.
 Result<std::vector<int>> LongSidesOf(const DetectArguments& arguments) {
-  constexpr long long kLeastSide = 32, kLargestSide = 4096;  // px
   std::vector<int> sides;
   if (!arguments.size) return sides;
   for (const std::string_view word : SplitAt(*arguments.size, ',')) {
     const long long side = ParseInteger(Trim(word)).value_or(0);
-    if (side < kLeastSide || side > kLargestSide)
-      return BadInput("--size " + *arguments.size +
-                      " must be the longer side of pictures, 32 to 4096, or WIDTHxHEIGHT, such as 416 or 320x256, or "
-                      "several longer sides, such as 320,512,832");
+    if (side < kCellSize || side > kLargestSize)
+      return BadInput("--size " + *arguments.size + " must be the longer side of pictures, " +
+                      std::to_string(kCellSize) + " to " + std::to_string(kLargestSize) +
+                      ", or WIDTHxHEIGHT, such as 416 or 320x256, or several longer sides, such as 320,512,832");
     sides.push_back(static_cast<int>(side));
   }
   if (sides.size() > kMostLooks)

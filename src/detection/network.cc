@@ -13,7 +13,7 @@
 namespace yorb {
 namespace {
 
-constexpr int kUsualSize = 640, kLargestSize = 4096;  // px
+constexpr int kUsualSize = 640;  // px
 
 std::string Metadata(const OnnxModel& model, const std::string& key) {
   const auto found = model.metadata.find(key);
@@ -28,7 +28,7 @@ cv::Size SizeOfMetadata(const OnnxModel& model) {
   return {static_cast<int>(sizes.size() > 1 ? sizes[1] : sizes[0]), static_cast<int>(sizes[0])};
 }
 
-Error NoPictures(const OnnxValue& input, const char* wanted) {
+Error NoPictures(const OnnxValue& input, const std::string& wanted) {
   return BadInput("has the input " + input.name + " of shape " + ShapeText(input.dims) + "; " + wanted);
 }
 
@@ -56,7 +56,8 @@ Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
   const bool is_bearable = input.width <= kLargestSize && input.height <= kLargestSize;
   if (!is_bearable || input.width % kCellSize != 0 || input.height % kCellSize != 0 ||
       input.batch != std::max<int64_t>(value.dims[0], 1))
-    return NoPictures(value, "sizes that are multiples of 32 up to 4096 are expected");
+    return NoPictures(value, "sizes that are multiples of " + std::to_string(kCellSize) + " up to " +
+                                 std::to_string(kLargestSize) + " are expected");
   return input;
 }
 

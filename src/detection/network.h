@@ -26,6 +26,7 @@ struct Network {
 
 /// Input sizes are whole multiples of it, since the coarsest maps have cells of this size.
 constexpr int kCellSize = 32;
+constexpr int kLargestSize = 4096;  ///< px: no side of an input is longer
 
 /// A single picture is looked at so many times at most.
 constexpr size_t kMostLooks = 8;

@@ -53,6 +53,17 @@ Result<std::unique_ptr<YoloDetector>> Open(const TestFolder& folder, const TestN
   return YoloDetector::Open(options);
 }
 
+/// RedCells whose file says at what longer sides single pictures are looked at, ready for them.
+std::unique_ptr<YoloDetector> OpenWithStills(const TestFolder& folder, const std::string& stills) {
+  TestNetwork net = RedCells();
+  net.model.metadata["stills"] = stills;
+  auto detector = Open(folder, net);
+  EXPECT_TRUE(detector) << detector.error().message;
+  if (!detector) return nullptr;
+  EXPECT_TRUE((*detector)->FitToPictures({}));
+  return *std::move(detector);
+}
+
 void ExpectOneRed(YoloDetector& detector, const cv::Mat& picture, double scale) {
   const auto found = detector.Detect(ImageSetOf(picture));
   ASSERT_TRUE(found) << found.error().message;
@@ -88,29 +99,23 @@ TEST(FitToPictures, EveryShapeShowsTheSame) {
 
 TEST(FitToPictures, TheFileSaysHowLarge) {
   const TestFolder folder;
-  TestNetwork net = RedCells();
-  net.model.metadata["stills"] = "128";
-  auto detector = Open(folder, net);
-  ASSERT_TRUE(detector) << detector.error().message;
-  ASSERT_TRUE((*detector)->FitToPictures({}));
-  ExpectOneRed(**detector, OneRed(128, 64), 1);
-  EXPECT_EQ((*detector)->input_size(), cv::Size(64, 64));
+  const auto detector = OpenWithStills(folder, "128");
+  ASSERT_NE(detector, nullptr);
+  ExpectOneRed(*detector, OneRed(128, 64), 1);
+  EXPECT_EQ(detector->input_size(), cv::Size(64, 64));
 }
 
 TEST(FitToPictures, SeveralLooksSeeAThingWhereItIs) {
   const TestFolder folder;
-  TestNetwork net = RedCells();
-  net.model.metadata["stills"] = "[192, 192, 96]";
-  auto detector = Open(folder, net);
-  ASSERT_TRUE(detector) << detector.error().message;
-  ASSERT_TRUE((*detector)->FitToPictures({}));
+  const auto detector = OpenWithStills(folder, "[192, 192, 96]");
+  ASSERT_NE(detector, nullptr);
   const cv::Mat picture = OneRed(192, 64);
-  const auto found = (*detector)->Detect(ImageSetOf(picture));
+  const auto found = detector->Detect(ImageSetOf(picture));
   ASSERT_TRUE(found) << found.error().message;
   ASSERT_EQ(found->boxes.size(), 1u);
   EXPECT_NEAR(found->boxes[0].confidence, 2. / 3, .01);  // at 96 px it is half a cell and not red enough
-  ASSERT_TRUE((*detector)->FitToPictures({192, 192}));
-  ExpectOneRed(**detector, picture, 1);  // the second look sees it mirrored
+  ASSERT_TRUE(detector->FitToPictures({192, 192}));
+  ExpectOneRed(*detector, picture, 1);  // the second look sees it mirrored
 }
 
 TEST(FitToPictures, ANetworkOfOneSizeKeepsIt) {
