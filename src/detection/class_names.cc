@@ -59,15 +59,32 @@ class LiteralReader {
     return text;
   }
 
-  /// A word without quotes, up to the next separator: as YAML's lists have them.
-  std::string Bare() {
-    const size_t end = std::min(rest_.find_first_of(",]}"), rest_.size());
-    const std::string word(Trim(rest_.substr(0, end)));
-    rest_.remove_prefix(end);
+  /// A name as Python, JSON and YAML write it: 'cup', u'cup', b'cup', np.str_('cup'), cup. Nothing where there is none.
+  std::optional<std::string> Name() {
+    SkipBlanks();
+    for (const std::string_view prefix : {"u", "b", "np.str_(", "numpy.str_("}) {
+      if (!rest_.starts_with(prefix)) continue;
+      LiteralReader behind(rest_.substr(prefix.size()));
+      auto name = behind.Quoted();
+      if (!name || (prefix.back() == '(' && !behind.Take(')'))) continue;
+      *this = behind;
+      return name;
+    }
+    if (auto name = Quoted()) return name;
+    std::string word = Bare();
+    if (word.empty()) return std::nullopt;
     return word;
   }
 
  private:
+  /// A word without quotes, up to the next separator: as YAML's lists have them.
+  std::string Bare() {
+    const size_t end = std::min(rest_.find_first_of(",]}"), rest_.size());
+    std::string word(Trim(rest_.substr(0, end)));
+    rest_.remove_prefix(end);
+    return word;
+  }
+
   void SkipBlanks() {
     while (!rest_.empty() && std::isspace(static_cast<unsigned char>(rest_.front()))) rest_.remove_prefix(1);
   }
@@ -112,8 +129,9 @@ std::optional<std::vector<std::string>> ParseDict(LiteralReader& reader) {
     const auto quoted = reader.Quoted();  // JSON has no other keys
     const auto number = quoted ? ParseInteger(*quoted) : reader.Integer();
     if (!number || !reader.Take(':')) return std::nullopt;
-    const auto name = reader.Quoted();
-    by_number[*number] = name ? *name : reader.Bare();
+    auto name = reader.Name();
+    if (!name) return std::nullopt;
+    by_number[*number] = *std::move(name);
     if (!reader.Take(',') && !reader.Take('}')) return std::nullopt;
     if (reader.is_at_end()) break;
   }
@@ -127,10 +145,10 @@ std::optional<std::vector<std::string>> ParseDict(LiteralReader& reader) {
 
 std::optional<std::vector<std::string>> ParseList(LiteralReader& reader, char end) {
   std::vector<std::string> names;
-  while (!reader.Take(end)) {
-    const auto name = reader.Quoted();
-    names.push_back(name ? *name : reader.Bare());
-    if (!reader.Take(',') && reader.is_at_end()) return std::nullopt;
+  for (bool has_more = true; !reader.Take(end); has_more = reader.Take(',')) {
+    auto name = has_more ? reader.Name() : std::nullopt;
+    if (!name) return std::nullopt;
+    names.push_back(*std::move(name));
   }
   return names;
 }

@@ -17,6 +17,9 @@ TEST(ClassNames, DictsAndListsOfPythonAndJsonAreRead) {
   EXPECT_EQ(ParseClassNames(R"({"0": "tv", "1": "driver's seat", "2": "cup, mug", "3": "扇子"})"), wanted);
   EXPECT_EQ(ParseClassNames("('tv', 'driver\\'s seat', 'cup, mug', '扇子')"), wanted);
   EXPECT_EQ(ParseClassNames("[ person , potted plant ]"), (Names{"person", "potted plant"}));
+  EXPECT_EQ(ParseClassNames("{0: u'tv', 1: b'cup', 2: np.str_('bus'), 3: numpy.str_(\"u\"),}"),
+            (Names{"tv", "cup", "bus", "u"}));
+  EXPECT_EQ(ParseClassNames("[bus, ub, np.str_]"), (Names{"bus", "ub", "np.str_"}));
 }
 
 TEST(ClassNames, WhatIsWrittenIsReadAgainWhateverIsInTheNames) {
@@ -29,7 +32,8 @@ TEST(ClassNames, NumbersMayStandInAnyOrderButNoneMayBeMissing) {
   EXPECT_EQ(ParseClassNames("{1: 'b', 0: 'a'}"), (Names{"a", "b"}));
   EXPECT_FALSE(ParseClassNames("{0: 'a', 2: 'c'}"));
   EXPECT_FALSE(ParseClassNames("{1: 'a'}"));
-  for (const char* text : {"", "person", "{", "[", "{0}", "{0: 'a'", "[]", "{}", "['a'] and more"})
+  for (const char* text : {"", "person", "{", "[", "{0}", "{0: 'a'", "[]", "{}", "['a'] and more", "['a' 'b']",
+                           "[a,,b]", "{0: , 1: 'b'}", R"([{"id": 0, "name": "a"}])", "[a}, b]", "['a"})
     EXPECT_FALSE(ParseClassNames(text)) << text;
 }
 

@@ -80,13 +80,13 @@ Result<Names> NamesBeside(const std::string& path) {
 
 Result<Names> NamesOf(const OnnxModel& model, const std::string& path) {
   const std::string text = Metadata(model, "names");
-  if (text.empty()) return NamesBeside(path);
   const auto names = ParseClassNames(text);
-  if (!names) {
-    return BadInput(path + " carries class names that are no list: '" + text.substr(0, 60) +
-                    "'; they are written as {0: 'person', 1: 'chair'}");
-  }
-  return Names{*names, "its metadata", ""};
+  if (names) return Names{*names, "its metadata", ""};
+  auto beside = NamesBeside(path);
+  const bool has_none = Trim(text).empty() || text == "{}" || text == "[]";
+  if (!beside || has_none || !beside->names.empty()) return beside;
+  return BadInput(path + " carries class names that are no list such as {0: 'person', 1: 'chair'}: '" +
+                  text.substr(0, 60) + "'; write them, a line each, into " + path + ".names");
 }
 
 Result<std::vector<float>> AnchorsOf(const OnnxModel& model) {

@@ -115,6 +115,19 @@ TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {
   folder.Write("net.names", "person\n");
   EXPECT_THAT(YoloDetector::Open(options).error().message,
               testing::AllOf(HasSubstr("net.onnx does not fit"), HasSubstr("net.names, which has 1 class name")));
+  TestNetwork odd = TwoColourNetwork(false);
+  odd.model.metadata["names"] = "person,cup";
+  options.model = folder.Write("odd.onnx", odd.Bytes());
+  EXPECT_THAT(YoloDetector::Open(options).error().message,
+              testing::AllOf(HasSubstr("odd.onnx carries class names that are no list"), HasSubstr("odd.onnx.names")));
+  for (const char* none : {" ", "{}", "[]"}) {
+    odd.model.metadata["names"] = none;
+    options.model = folder.Write("none.onnx", odd.Bytes());
+    EXPECT_EQ((*YoloDetector::Open(options))->names(), (std::vector<std::string>{"class0", "class1"})) << none;
+  }
+  options.model = folder.Path("odd.onnx");
+  folder.Write("odd.onnx.names", "person\ncup\n");
+  EXPECT_EQ((*YoloDetector::Open(options))->names(), (std::vector<std::string>{"person", "cup"}));
 }
 
 TEST(YoloDetector, MoreThreadsThanTheMachineRunsAreNotTaken) {
