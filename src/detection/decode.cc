@@ -39,6 +39,7 @@ class ScoreRange {
 struct Decoded {
   std::vector<RawBox> boxes;
   ScoreRange scores;
+  size_t num_turned = 0;  ///< corner boxes whose right edge lies left of the left one, or bottom above top
 };
 
 float Sigmoid(float x) { return 1.f / (1.f + std::exp(-x)); }
@@ -82,8 +83,9 @@ void AddClasses(RawBox box, int num_classes, const DecodeOptions& options, const
 /// Rows or columns of centre, size, objectness where there is one, classes.
 void DecodeCentres(const TensorView& output, const HeadLayout& layout, const DecodeOptions& options, Decoded& found) {
   const bool has_objectness = layout.kind == LayoutKind::kAnchorRows;
-  const int64_t count = output.dims[has_objectness ? 1 : 2];
-  const int64_t step = output.strides[has_objectness ? 1 : 2], value_step = output.strides[has_objectness ? 2 : 1];
+  const size_t box_axis = layout.kind == LayoutKind::kCentreColumns ? 2 : 1;
+  const int64_t count = output.dims[box_axis];
+  const int64_t step = output.strides[box_axis], value_step = output.strides[3 - box_axis];
   for (int64_t i = 0; i < count; ++i) {
     const float* at = output.data + i * step;
     const float objectness = has_objectness ? at[kObjectness * value_step] : 1.f;
@@ -113,6 +115,7 @@ void DecodeCorners(const TensorView& output, const HeadLayout& layout, const Dec
     if (!(label < kMostClasses)) continue;
     box.label = static_cast<int>(std::lround(label));
     if (layout.num_classes > 0 && box.label >= layout.num_classes) continue;
+    found.num_turned += box.right < box.left || box.bottom < box.top ? 1 : 0;
     found.boxes.push_back(box);
   }
 }
@@ -189,6 +192,7 @@ Result<std::vector<RawBox>> DecodeBoxes(const std::vector<TensorView>& outputs, 
   switch (layout.kind) {
     case LayoutKind::kAnchorRows:
     case LayoutKind::kCentreColumns:
+    case LayoutKind::kCentreRows:
       DecodeCentres(outputs[layout.output], layout, options, found);
       break;
     case LayoutKind::kCornerRows:
@@ -203,6 +207,10 @@ Result<std::vector<RawBox>> DecodeBoxes(const std::vector<TensorView>& outputs, 
       break;
   }
   if (Status status = found.scores.Check(); !status) return status.error();
+  if (found.num_turned > 0 && found.num_turned == found.boxes.size())
+    return BadInput(
+        "gives rows that begin with no corners, for right edges lie left of the left ones; export it with left, top, "
+        "right, bottom");
   return std::move(found.boxes);
 }
 

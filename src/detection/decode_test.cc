@@ -155,6 +155,24 @@ TEST(Decode, EndToEndConfidencesThatAreNoProbabilitiesAreRefused) {
   EXPECT_TRUE(HaveClassNumbers(none.View())) << "that they are no numbers says more";
 }
 
+TEST(Decode, EndToEndRowsThatBeginWithCentresAreRefused) {
+  Tensor rows({1, 300, 6});
+  const float centre[] = {12, 20, 8, 8, .9f, 1}, corners[] = {8, 16, 16, 24, .8f, 1};
+  std::copy(centre, centre + 6, rows.numbers.begin() + 30);
+  EXPECT_THAT(Complaint(rows), testing::HasSubstr("no corners"));
+  std::copy(corners, corners + 6, rows.numbers.begin() + 60);
+  EXPECT_EQ(Complaint(rows), "") << "one odd box among others";
+}
+
+TEST(Decode, RowsOfCellsAreReadAsColumnsAre) {
+  Tensor rows({1, 84, 7});
+  const float row[] = {30, 20, 10, 8, .1f, .2f, .7f};
+  std::copy(row, row + 7, rows.numbers.begin() + 7 * 40);
+  const auto boxes = Decode({rows}, 3, {});
+  ASSERT_EQ(boxes.size(), 1u);
+  ExpectBox(boxes[0], {25, 16, 35, 24, .7f, 2});
+}
+
 TEST(Decode, ScoresALittleBesideTheirRangeAreFine) {
   Tensor columns({1, 6, 84});
   const float column[] = {30, 20, 10, 8, 1.0000001f, 0.6f};

@@ -42,6 +42,19 @@ int64_t NumExtras(const HeadFacts& facts) {
   return facts.num_keypoint_values;
 }
 
+/// Whether another output holds the boxes of this one's rows or columns: those of YOLO-NAS, and of exports whose parts
+/// stand apart. Read alone, the scores would pass for boxes.
+bool HasBoxesApart(size_t output, const HeadFacts& facts) {
+  const Shape& scores = facts.shapes[output];
+  for (size_t i = 0; i < facts.shapes.size() && scores.size() == 3; ++i) {
+    Shape boxes = facts.shapes[i];
+    if (boxes.size() == 4 && boxes[2] == 1) boxes.erase(boxes.begin() + 2);
+    if (i == output || boxes.size() != 3) continue;
+    if ((boxes[2] == 4 && boxes[1] == scores[1]) || (boxes[1] == 4 && boxes[2] == scores[2])) return true;
+  }
+  return false;
+}
+
 bool AgreesWithNames(int64_t num_classes, const HeadFacts& facts) {
   return num_classes > 0 && (facts.num_names == 0 || facts.num_names == num_classes);
 }
@@ -49,7 +62,7 @@ bool AgreesWithNames(int64_t num_classes, const HeadFacts& facts) {
 /// The layout of one output that holds all boxes.
 std::optional<HeadLayout> FromRows(size_t output, const HeadFacts& facts) {
   const Shape& shape = facts.shapes[output];
-  if (shape.size() != 3) return std::nullopt;
+  if (shape.size() != 3 || HasBoxesApart(output, facts)) return std::nullopt;
   const int64_t extras = NumExtras(facts);
   HeadLayout layout;
   layout.output = output;
@@ -63,7 +76,11 @@ std::optional<HeadLayout> FromRows(size_t output, const HeadFacts& facts) {
     return take(LayoutKind::kAnchorRows, shape[2] - 5 - extras);
   if (IsNumberOfCells(shape[2], facts) && AgreesWithNames(shape[1] - 4 - extras, facts))
     return take(LayoutKind::kCentreColumns, shape[1] - 4 - extras);
-  if (shape[2] == 6 && extras == 0 && !AreSixOfAnotherNetwork(shape[1], facts))
+  // Turned round only where names say so, and not for two classes, whose rows could be end-to-end ones.
+  const bool are_cells = IsNumberOfCells(shape[1], facts);
+  if (are_cells && facts.num_names > 0 && facts.num_names != 2 && facts.num_names == shape[2] - 4 - extras)
+    return take(LayoutKind::kCentreRows, facts.num_names);
+  if (shape[2] == 6 + extras && !AreSixOfAnotherNetwork(shape[1], facts))
     return take(LayoutKind::kCornerRows, facts.num_names);
   return std::nullopt;
 }
@@ -98,8 +115,15 @@ int64_t NumValues(const RawMap& map, const HeadFacts& facts) {
   return size % kAnchors == 0 ? size / kAnchors : 0;
 }
 
+/// Whether nothing tells maps of YOLOv5's from YOLOv8's own, which have 64 numbers and one a class: the names are
+/// missing, and YOLOv5's would not be of COCO's 80 classes.
+bool MayBeWithoutAnchors(const RawMap& map, const HeadFacts& facts) {
+  constexpr int64_t kEdges = 64, kCoco = 3 * (5 + 80);
+  const int64_t size = facts.shapes[map.output][static_cast<size_t>(map.value_axis)];
+  return facts.num_names == 0 && map.anchor_axis == 0 && size > kEdges && size != kCoco;
+}
+
 std::optional<HeadLayout> FromMaps(const HeadFacts& facts, bool are_values_last) {
-  constexpr int64_t kCocoWithoutAnchors = 64 + 80;  // YOLOv8's own raw maps, which three divides as well
   HeadLayout layout;
   for (size_t i = 0; i < facts.shapes.size(); ++i) {
     const auto map = MapOf(i, facts, are_values_last);
@@ -111,9 +135,7 @@ std::optional<HeadLayout> FromMaps(const HeadFacts& facts, bool are_values_last)
   for (size_t i = 0; i < layout.maps.size(); ++i) {
     if (layout.maps[i].stride != 8 << i) return std::nullopt;
     if (NumValues(layout.maps[i], facts) != NumValues(layout.maps[0], facts)) return std::nullopt;
-    const auto& map = layout.maps[i];
-    if (facts.num_names == 0 && map.anchor_axis == 0 && facts.shapes[map.output][1] == kCocoWithoutAnchors)
-      return std::nullopt;
+    if (MayBeWithoutAnchors(layout.maps[i], facts)) return std::nullopt;
   }
   const int64_t num_classes = NumValues(layout.maps[0], facts) - 5;
   if (!AgreesWithNames(num_classes, facts)) return std::nullopt;
@@ -135,6 +157,18 @@ std::optional<HeadLayout> FindLayout(const HeadFacts& facts) {
 /// "1 class name", "2 class names".
 std::string Counted(int count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+/// What may be done about outputs that are refused for one reason that is known; empty where there is none.
+std::string RemedyFor(const HeadFacts& facts) {
+  for (size_t i = 0; i < facts.shapes.size(); ++i) {
+    if (HasBoxesApart(i, facts)) return "; its boxes and scores stand apart: export it with both in one output";
+  }
+  const auto map = facts.shapes.size() < 3 ? std::nullopt : MapOf(0, facts, true);
+  if (map && MayBeWithoutAnchors(*map, facts) && NumValues(*map, facts) > 5)
+    return "; YOLOv8's own raw maps are not: export it with decoded boxes, or, if these are YOLOv5's, write the class "
+           "names, a line each, into a file beside it that has its name and .names behind";
+  return "";
 }
 
 /// The complaint about a list of names that somebody wrote beside a network which is fine without it.
@@ -167,7 +201,8 @@ Result<HeadLayout> RecogniseLayout(const HeadFacts& facts) {
   if (facts.num_names > 0 && !facts.names_file.empty()) names += " in " + facts.names_file;
   return BadInput("is no detector that is read: its outputs are " + shapes + " for an input of " +
                   std::to_string(facts.width) + "x" + std::to_string(facts.height) + names +
-                  "; YOLOv5's (1, N, 5+C), YOLOv8's (1, 4+C, N), three raw maps and end-to-end (1, K, 6) are");
+                  "; YOLOv5's (1, N, 5+C), YOLOv8's (1, 4+C, N), three raw maps and end-to-end (1, K, 6) are" +
+                  RemedyFor(facts));
 }
 
 std::string LayoutText(const HeadLayout& layout, const HeadFacts& facts) {
@@ -177,6 +212,8 @@ std::string LayoutText(const HeadLayout& layout, const HeadFacts& facts) {
       return "YOLOv5 rows " + shape(layout.output);
     case LayoutKind::kCentreColumns:
       return "YOLOv8 columns " + shape(layout.output);
+    case LayoutKind::kCentreRows:
+      return "YOLOv8 rows " + shape(layout.output);
     case LayoutKind::kCornerRows:
       return "end-to-end rows " + shape(layout.output);
     case LayoutKind::kRawMaps:

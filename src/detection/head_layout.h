@@ -16,6 +16,7 @@ constexpr int kAnchors = 3;  ///< of a cell in a map of YOLOv5's
 enum class LayoutKind {
   kAnchorRows,     ///< YOLOv5: (1, N, 5+C), N three times the cells: centre, size, objectness, classes
   kCentreColumns,  ///< YOLOv8 and 11: (1, 4+C, N), N the cells: centre, size, classes
+  kCentreRows,     ///< the same turned round: (1, N, 4+C)
   kCornerRows,     ///< end to end: (1, K, 6): corners, confidence, class number; doubles are gone already
   kRawMaps,        ///< a map a stride, (1, 3 (5+C), h, w) or with an axis for the anchors, not yet decoded
 };

@@ -68,6 +68,46 @@ TEST(HeadLayout, OutputsBesideTheBoxesAreLeftAlone) {
   ExpectLayout(pose, LayoutKind::kCentreColumns, 1);
 }
 
+TEST(HeadLayout, RowsOfCellsAreYoloEightsTurnedRoundWhereNamesSaySo) {
+  ExpectLayout(Facts({{1, 84, 7}}, 3), LayoutKind::kCentreRows, 3);
+  ExpectLayout(Facts({{1, 8400, 84}}, 80, 640, 640), LayoutKind::kCentreRows, 80);
+  ExpectLayout(Facts({{1, 84, 5}}, 1), LayoutKind::kCentreRows, 1);
+  ExpectLayout(Facts({{1, 84, 39}, {1, 32, 16, 16}}, 3), LayoutKind::kCentreRows, 3);
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 7}}, 0))) << "YOLOX has a row a cell, and objectness";
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 7}}, 2)));
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 300, 7}}, 3))) << "no row a cell";
+}
+
+TEST(HeadLayout, EndToEndRowsMayHaveMasksAndPointsBehindThem) {
+  ExpectLayout(Facts({{1, 300, 38}, {1, 32, 16, 16}}, 2), LayoutKind::kCornerRows, 2);
+  HeadFacts pose = Facts({{1, 300, 57}}, 1);
+  EXPECT_FALSE(RecogniseLayout(pose)) << "nothing says what the 51 numbers are";
+  pose.num_keypoint_values = 51;
+  ExpectLayout(pose, LayoutKind::kCornerRows, 1);
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 38}, {1, 32, 16, 16}}, 2))) << "or YOLOv8's turned round";
+}
+
+TEST(HeadLayout, ScoresWhoseBoxesStandApartAreNoBoxes) {
+  for (const Shapes& shapes : {Shapes{{1, 84, 4}, {1, 84, 6}}, Shapes{{1, 84, 6}, {1, 84, 1, 4}},
+                               Shapes{{1, 4, 84}, {1, 10, 84}}, Shapes{{1, 300, 6}, {1, 300, 4}}}) {
+    const auto layout = RecogniseLayout(Facts(shapes, 6));
+    ASSERT_FALSE(layout) << ShapeText(shapes[0]);
+    EXPECT_THAT(layout.error().message, testing::HasSubstr("boxes and scores stand apart"));
+  }
+}
+
+TEST(HeadLayout, MapsWithoutNamesThatMayBeYoloEightsAreRefused) {
+  const auto maps = [](int64_t size) { return Shapes{{1, size, 8, 8}, {1, size, 4, 4}, {1, size, 2, 2}}; };
+  for (const int64_t size : {66, 69, 144}) {
+    const auto layout = RecogniseLayout(Facts(maps(size), 0));
+    ASSERT_FALSE(layout) << size;
+    EXPECT_THAT(layout.error().message, testing::HasSubstr(".names"));
+  }
+  ExpectLayout(Facts(maps(66), 17), LayoutKind::kRawMaps, 17);
+  ExpectLayout(Facts(maps(255), 0), LayoutKind::kRawMaps, 80);
+  EXPECT_FALSE(RecogniseLayout(Facts(maps(66), 2)));
+}
+
 TEST(HeadLayout, AllElseIsRefusedWithItsShapes) {
   const std::vector<std::pair<Shapes, int>> others{
       {{{1, 1, 3}}, 3},                                       // a classifier
