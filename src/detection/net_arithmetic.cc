@@ -113,7 +113,83 @@ NetValue Flat(const NetNode& node, const NetValue& value, Kernel kernel, bool is
 /// A limit of Clip: an attribute in older files, an input in newer ones.
 float LimitOf(const NetNode& node, const char* name, size_t input, float otherwise) {
   if (node.node.Find(name) != nullptr) return node.node.Number(name, otherwise);
-  return node.Has(input) && node.inputs[input].is_constant ? NumbersOf(node.inputs[input])[0] : otherwise;
+  return node.Has(input) && node.inputs[input].is_constant && node.inputs[input].size() == 1
+             ? NumbersOf(node.inputs[input])[0]
+             : otherwise;
+}
+
+/// The rest of a division with the sign of the divisor, or of what is divided (fmod).
+float Rest(float a, float b, bool has_sign_of_first) {
+  const float rest = b == 0 ? 0 : std::fmod(a, b);
+  return has_sign_of_first || rest == 0 || (rest < 0) == (b < 0) ? rest : rest + b;
+}
+
+/// What comes out as 0 or 1.
+NetOutputs Compare(const NetNode& node) {
+  static const std::map<std::string, bool (*)(float, float)> tests{
+      {"Equal", [](float a, float b) { return a == b; }},
+      {"Greater", [](float a, float b) { return a > b; }},
+      {"GreaterOrEqual", [](float a, float b) { return a >= b; }},
+      {"Less", [](float a, float b) { return a < b; }},
+      {"LessOrEqual", [](float a, float b) { return a <= b; }},
+      {"And", [](float a, float b) { return a != 0 && b != 0; }},
+      {"Or", [](float a, float b) { return a != 0 || b != 0; }},
+      {"Xor", [](float a, float b) { return (a != 0) != (b != 0); }}};
+  const auto found = tests.find(node.node.op);
+  if (found == tests.end()) return NotMine();
+  NetOutputs result = Binary(node, [is_so = found->second](float a, float b) { return is_so(a, b) ? 1.f : 0.f; });
+  if (result) (*result)[0].is_whole = true;
+  return result;
+}
+
+/// One of two, as a third says.
+NetOutputs Where(const NetNode& node) {
+  if (!node.Has(0) || !node.Has(1) || !node.Has(2)) return BadInput(": an input is missing");
+  const NetValue &condition = node.inputs[0], &yes = node.inputs[1], &no = node.inputs[2];
+  auto dims = BroadcastDims(yes, no);
+  if (!dims) return dims.error();
+  NetValue both = yes;
+  both.dims = *dims;
+  dims = BroadcastDims(condition, both);
+  if (!dims) return dims.error();
+  NetValue result = NewLike(node, *dims, yes.dims == *dims ? yes : no);
+  result.is_whole = yes.is_whole && no.is_whole;
+  const NetLoop<4> loop(*dims, {result.strides, BroadcastStrides(condition, *dims), BroadcastStrides(yes, *dims),
+                                BroadcastStrides(no, *dims)});
+  node.Add([loop, to = result.data.get(), is_yes = condition.data.get(), x = yes.data.get(), y = no.data.get()] {
+    loop.Run([&](const auto& at, int64_t count, const auto& steps) {
+      for (int64_t i = 0; i < count; ++i)
+        to[at[0] + i * steps[0]] =
+            is_yes[at[1] + i * steps[1]] != 0 ? x[at[2] + i * steps[2]] : y[at[3] + i * steps[3]];
+    });
+  });
+  return One(std::move(result));
+}
+
+/// Numbers of the channels, by which all of a channel are multiplied, and to which they are added.
+NetOutputs BatchNormalization(const NetNode& node) {
+  const int64_t channels = node.inputs[0].rank() > 1 ? node.inputs[0].dims[1] : 0;
+  for (size_t i = 1; i < 5; ++i) {
+    if (!node.Has(i) || !node.inputs[i].is_constant || node.inputs[i].size() != channels)
+      return BadInput(": its numbers are not known beforehand");
+  }
+  if (node.node.Integer("training_mode", 0) != 0) return BadInput(": it is still being trained");
+  Dims dims(node.inputs[0].rank() - 1, 1);
+  dims[0] = channels;
+  const NetValue factor = node.program.New(dims, NetLayout::kDense, true),
+                 offset = node.program.New(dims, NetLayout::kDense, true);
+  const auto scale = NumbersOf(node.inputs[1]), shift = NumbersOf(node.inputs[2]), mean = NumbersOf(node.inputs[3]),
+             variance = NumbersOf(node.inputs[4]);
+  for (size_t i = 0; i < scale.size(); ++i) {
+    const float by = scale[i] / std::sqrt(variance[i] + node.node.Number("epsilon", 1e-5f));
+    factor.data.get()[i] = by, offset.data.get()[i] = shift[i] - mean[i] * by;
+  }
+  NetNode next = node;
+  next.inputs = {node.inputs[0], factor};
+  NetOutputs scaled = Binary(next, [](float a, float b) { return a * b; });
+  if (!scaled) return scaled;
+  next.inputs = {(*scaled)[0], offset};
+  return Binary(next, [](float a, float b) { return a + b; });
 }
 
 /// Max and Min of any number of inputs, two by two.
@@ -140,6 +216,12 @@ NetOutputs AddBinary(const NetNode& node) {
   if (op == "Div") return Binary(node, [](float a, float b) { return a / b; });
   if (op == "Pow") return Binary(node, [](float a, float b) { return b == 2 ? a * a : std::pow(a, b); });
   if (op == "Max") return Folded(node, [](float a, float b) { return std::max(a, b); });
+  if (op == "Mod") {
+    const bool is_fmod = node.node.Integer("fmod", 0) != 0;
+    return Binary(node, [is_fmod](float a, float b) { return Rest(a, b, is_fmod); });
+  }
+  if (op == "PRelu") return Binary(node, [](float x, float slope) { return x < 0 ? slope * x : x; });
+  if (op == "Where") return Where(node);
   if (op == "Min") return Folded(node, [](float a, float b) { return std::min(a, b); });
   return NotMine();
 }
@@ -164,7 +246,16 @@ NetOutputs AddUnary(const NetNode& node) {
     const float alpha = node.node.Number("alpha", 0.2f), beta = node.node.Number("beta", 0.5f);
     return Unary(node, [alpha, beta](float x) { return std::clamp(alpha * x + beta, 0.f, 1.f); });
   }
+  if (op == "Not") return Unary(node, [](float x) { return x == 0 ? 1.f : 0.f; });
+  if (op == "Sin") return Unary(node, [](float x) { return std::sin(x); });
+  if (op == "Cos") return Unary(node, [](float x) { return std::cos(x); });
+  if (op == "Erf") return Unary(node, [](float x) { return std::erf(x); });
+  if (op == "Reciprocal") return Unary(node, [](float x) { return 1 / x; });
+  if (op == "Mish") return Unary(node, [](float x) { return x * std::tanh(x > 20 ? x : std::log1p(std::exp(x))); });
   if (op == "Clip") {
+    for (const size_t limit : {1, 2}) {
+      if (node.Has(limit) && !node.inputs[limit].is_constant) return BadInput(": its limits are not known beforehand");
+    }
     const float low = LimitOf(node, "min", 1, -HUGE_VALF), high = LimitOf(node, "max", 2, HUGE_VALF);
     return Unary(node, [low, high](float x) { return std::min(std::max(x, low), high); });
   }
@@ -297,9 +388,13 @@ NetOutputs AddArithmetic(const NetNode& node) {
   if (op == "Softmax") return Softmax(node);
   if (op == "MatMul" && node.Has(1)) return MatMul(node);
   if (op == "ReduceMean" || op == "ReduceMax" || op == "ReduceSum") return Reduce(node);
+  if (op == "BatchNormalization") return BatchNormalization(node);
   NetOutputs outputs = AddUnary(node);
-  const bool is_mine = outputs.ok() || !outputs.error().message.empty();
-  return is_mine ? outputs : AddBinary(node);
+  for (const auto family : {AddBinary, Compare}) {
+    if (outputs.ok() || !outputs.error().message.empty()) break;
+    outputs = family(node);
+  }
+  return outputs;
 }
 
 }  // namespace yorb

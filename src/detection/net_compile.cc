@@ -98,7 +98,7 @@ class NetCompiler {
     auto outputs = put_off_.count(&node) > 0 ? std::optional(PutOff(ready)) : Fused(ready);
     if (!outputs) {
       outputs = PictureOperator(ready);
-      for (const auto family : {AddShapeOperator, AddArithmetic}) {
+      for (const auto family : {AddShapeOperator, AddSelection, AddArithmetic}) {
         if (outputs->ok() || !outputs->error().message.empty()) break;
         outputs = family(ready);
       }

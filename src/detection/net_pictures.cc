@@ -213,6 +213,60 @@ NetOutputs Convolution(const NetNode& node) {
   return One(std::move(output));
 }
 
+/// The weights of a transposed convolution, from the order of the file (in, out, y, x) to XNNPACK's (out, y, x, in).
+std::vector<float> TransposedKernelOf(const NetValue& weights) {
+  const std::vector<float> from = NumbersOf(weights);
+  const int64_t in = weights.dims[0], rest = weights.dims[1] * weights.dims[2] * weights.dims[3];
+  std::vector<float> to(from.size());
+  for (int64_t channel = 0; channel < in; ++channel) {
+    for (int64_t i = 0; i < rest; ++i)
+      to[static_cast<size_t>(i * in + channel)] = from[static_cast<size_t>(channel * rest + i)];
+  }
+  return to;
+}
+
+/// Convolutions that enlarge a picture: the masks of segmentation networks have one.
+NetOutputs TransposedConvolution(const NetNode& node) {
+  if (!node.Has(1) || !node.inputs[1].is_constant || node.inputs[1].rank() != 4 ||
+      (node.Has(2) && !node.inputs[2].is_constant))
+    return BadInput(": its weights are not known beforehand");
+  const NetValue& weights = node.inputs[1];
+  const auto window = WindowOf(node, {weights.dims[2], weights.dims[3]});
+  if (!window) return window.error();
+  const NetValue input = WithLayout(node, node.inputs[0], NetLayout::kChannelsLast);
+  const Dims extra = node.node.Integers("output_padding", {0, 0});
+  const bool is_plain = node.node.Integer("group", 1) == 1 && node.node.Find("output_shape") == nullptr &&
+                        node.node.Text("auto_pad", "NOTSET") == "NOTSET" && extra == Dims{0, 0};
+  if (!is_plain || weights.dims[0] != input.dims[1]) return BadInput(": it is of a kind that is not read");
+  const auto enlarged = [](int64_t size, int64_t stride, int64_t reach, int64_t pads) {
+    return (size - 1) * stride + reach - pads;
+  };
+  const int64_t height = enlarged(input.dims[2], window->stride_y, window->dilation_y * (window->kernel_y - 1) + 1,
+                                  window->top + window->bottom),
+                width = enlarged(input.dims[3], window->stride_x, window->dilation_x * (window->kernel_x - 1) + 1,
+                                 window->left + window->right);
+  if (height < 1 || width < 1) return BadInput(": nothing is left");
+  NetValue output = node.New({input.dims[0], weights.dims[1], height, width}, NetLayout::kChannelsLast);
+  const std::vector<float> kernel = TransposedKernelOf(weights),
+                           bias = node.Has(2) ? NumbersOf(node.inputs[2]) : std::vector<float>();
+  if (!bias.empty() && static_cast<int64_t>(bias.size()) != weights.dims[1])
+    return BadInput(": its bias does not fit its weights");
+  const auto in = static_cast<size_t>(weights.dims[0]), out = static_cast<size_t>(weights.dims[1]);
+  xnn_operator_t op = nullptr;
+  const xnn_status made = xnn_create_deconvolution2d_nhwc_f32(
+      U(window->top), U(window->right), U(window->bottom), U(window->left), U(window->kernel_y), U(window->kernel_x),
+      U(window->stride_y), U(window->stride_x), U(window->dilation_y), U(window->dilation_x), 1, in, out,
+      PixelStep(input), out, kernel.data(), bias.empty() ? nullptr : bias.data(), node.least, node.most, 0, &op);
+  if (made != xnn_status_success) return BadInput(": XNNPACK does not take its settings");
+  const auto owned = Owned(op);
+  const xnn_status ready = xnn_setup_deconvolution2d_nhwc_f32(
+      op, static_cast<size_t>(input.dims[0]), static_cast<size_t>(input.dims[2]), static_cast<size_t>(input.dims[3]), 0,
+      0, input.data.get(), output.data.get(), node.program.threads());
+  if (ready != xnn_status_success) return BadInput(": XNNPACK does not take its sizes");
+  AddOperator(node, owned);
+  return One(std::move(output));
+}
+
 /// MaxPool and AveragePool.
 NetOutputs Pooling(const NetNode& node) {
   const auto window = WindowOf(node, node.node.Integers("kernel_shape", {}));
@@ -316,6 +370,7 @@ NetOutputs AddPictureOperator(const NetNode& node) {
   const std::string& op = node.node.op;
   if (!node.Has(0)) return NotMine();
   if (op == "Conv") return Convolution(node);
+  if (op == "ConvTranspose") return TransposedConvolution(node);
   if (op == "MaxPool" || op == "AveragePool") return Pooling(node);
   if (op == "Resize" || op == "Upsample") return Enlargement(node);
   if (IsGlobalMean(node)) return GlobalAverage(node);

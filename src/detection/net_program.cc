@@ -33,6 +33,12 @@ Result<std::vector<int64_t>> NetNode::Integers(const char* attribute, size_t inp
   return WholeNumbersOf(inputs[input]);
 }
 
+Result<size_t> AxisOf(int64_t axis, size_t rank) {
+  const int64_t from_front = axis < 0 ? axis + static_cast<int64_t>(rank) : axis;
+  if (from_front < 0 || from_front >= static_cast<int64_t>(rank)) return BadInput(": an axis does not exist");
+  return static_cast<size_t>(from_front);
+}
+
 NetValue WithLayout(const NetNode& node, const NetValue& value, NetLayout layout) {
   const bool is_fine = layout == NetLayout::kDense ? IsDense(value) : IsChannelsLast(value);
   if (is_fine) return value;

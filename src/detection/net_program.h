@@ -68,9 +68,10 @@ using NetOutputs = Result<std::vector<NetValue>>;
 /// What an operator with one output gives.
 inline NetOutputs One(NetValue value) { return std::vector<NetValue>{std::move(value)}; }
 
-/// Adds the steps of one operator. The three families know which operators are theirs; the answer is an error without
+/// Adds the steps of one operator. The four families know which operators are theirs; the answer is an error without
 /// a message for those that are not.
 NetOutputs AddShapeOperator(const NetNode& node);    ///< Reshape, Transpose, Slice, Concat ...
+NetOutputs AddSelection(const NetNode& node);        ///< TopK, GatherElements, Tile, Gather by what is computed ...
 NetOutputs AddArithmetic(const NetNode& node);       ///< Add, Mul, Exp, Softmax, MatMul ...
 NetOutputs AddPictureOperator(const NetNode& node);  ///< Conv, MaxPool, Resize ...: by XNNPACK where it has them
 
@@ -80,6 +81,9 @@ bool PrepareKernels();
 /// By how much Resize and Upsample enlarge pictures, along y and x; an error where pixels do not
 /// become blocks of whole sizes.
 Result<std::pair<int64_t, int64_t>> EnlargementOf(const NetNode& node);
+
+/// An axis counted from the front; an error beyond the rank.
+Result<size_t> AxisOf(int64_t axis, size_t rank);
 
 /// The same numbers with others' layout: a copy, unless they lie so already.
 NetValue WithLayout(const NetNode& node, const NetValue& value, NetLayout layout);

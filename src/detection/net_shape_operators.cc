@@ -16,13 +16,6 @@ namespace {
 
 using Dims = std::vector<int64_t>;
 
-/// An axis counted from the front; nothing beyond the rank.
-Result<size_t> AxisOf(int64_t axis, size_t rank) {
-  const int64_t from_front = axis < 0 ? axis + static_cast<int64_t>(rank) : axis;
-  if (from_front < 0 || from_front >= static_cast<int64_t>(rank)) return BadInput(": an axis does not exist");
-  return static_cast<size_t>(from_front);
-}
-
 NetValue Moved(const NetValue& value, int64_t offset) {
   NetValue moved = value;
   moved.data = std::shared_ptr<float>(value.data, value.data.get() + offset);
@@ -125,11 +118,15 @@ NetOutputs Slice(const NetNode& node) {
     const auto axis = AxisOf((*axes)[i], value.rank());
     if (!axis) return axis.error();
     const int64_t size = value.dims[*axis], step = i < steps->size() ? (*steps)[i] : 1;
-    if (step < 1) return BadInput(": it runs backwards");
-    const auto limit = [size](int64_t at) { return std::clamp<int64_t>(at < 0 ? at + size : at, 0, size); };
-    const int64_t start = limit((*starts)[i]), end = limit((*ends)[i]);
+    if (step == 0) return BadInput(": its steps are 0");
+    const int64_t first = step > 0 ? 0 : -1;  // backwards it ends before the first
+    const auto limit = [&](int64_t at, int64_t least) {
+      return std::clamp<int64_t>(at < 0 ? at + size : at, least, size + first);
+    };
+    const int64_t start = limit((*starts)[i], 0), end = limit((*ends)[i], first);
+    const int64_t reach = step > 0 ? end - start : start - end;
     value = Moved(value, start * value.strides[*axis]);
-    value.dims[*axis] = std::max<int64_t>((end - start + step - 1) / step, 0);
+    value.dims[*axis] = std::max<int64_t>((reach + std::abs(step) - 1) / std::abs(step), 0);
     value.strides[*axis] *= step;
   }
   if (value.size() == 0) return BadInput(": nothing is left");
@@ -198,7 +195,8 @@ NetOutputs Gather(const NetNode& node) {
   const NetValue& value = node.inputs[0];
   const auto axis = AxisOf(node.node.Integer("axis", 0), value.rank());
   if (!axis) return axis.error();
-  if (!node.inputs[1].is_constant) return BadInput(": its indices are not known beforehand");
+  if (!node.Has(1)) return BadInput(": an input is missing");
+  if (!node.inputs[1].is_constant) return NotMine();  // chosen while the network runs
   Dims dims(value.dims.begin(), value.dims.begin() + static_cast<int64_t>(*axis));
   dims.insert(dims.end(), node.inputs[1].dims.begin(), node.inputs[1].dims.end());
   dims.insert(dims.end(), value.dims.begin() + static_cast<int64_t>(*axis) + 1, value.dims.end());
@@ -249,7 +247,14 @@ NetValue Known(const NetNode& node, const Dims& dims, const std::vector<float>& 
 }
 
 NetOutputs Shape(const NetNode& node) {
-  const Dims& dims = node.inputs[0].dims;
+  const Dims& all = node.inputs[0].dims;
+  const auto rank = static_cast<int64_t>(all.size());
+  const auto limit = [&](const char* name, int64_t otherwise) {
+    const int64_t at = node.node.Integer(name, otherwise);
+    return std::clamp<int64_t>(at < 0 ? at + rank : at, 0, rank);
+  };
+  const int64_t start = limit("start", 0), end = std::max(limit("end", rank), start);
+  const Dims dims(all.begin() + start, all.begin() + end);
   return One(Known(node, {static_cast<int64_t>(dims.size())}, std::vector<float>(dims.begin(), dims.end()), true));
 }
 
@@ -268,6 +273,8 @@ NetOutputs Constant(const NetNode& node) {
     return One(Known(node, {static_cast<int64_t>(list->ints.size())},
                      std::vector<float>(list->ints.begin(), list->ints.end()), true));
   }
+  if (const OnnxAttribute* list = node.node.Find("value_floats"))
+    return One(Known(node, {static_cast<int64_t>(list->floats.size())}, list->floats, false));
   return BadInput(": its value is of a kind that is not read");
 }
 
@@ -298,16 +305,25 @@ NetOutputs RangeOf(const NetNode& node) {
 
 NetOutputs Identity(const NetNode& node) { return One(node.inputs[0]); }
 
-/// Between floats and halves nothing changes, since all is kept as floats.
+/// Between floats and halves nothing changes, since all is kept as floats; whole numbers are cut.
 NetOutputs Cast(const NetNode& node) {
   const int64_t to = node.node.Integer("to", kOnnxFloat);
   const bool is_float = to == kOnnxFloat || to == kOnnxFloat16 || to == kOnnxDouble;
   NetValue value = node.inputs[0];
-  if (!is_float && !value.is_whole) {
-    if (!value.is_constant) return BadInput(": it makes whole numbers of what the network computes");
-    std::vector<float> numbers = NumbersOf(value);
-    for (float& number : numbers) number = std::trunc(number);
-    return One(Known(node, value.dims, numbers, true));
+  const bool is_truth = to == kOnnxBool;
+  if (is_truth || (!is_float && !value.is_whole)) {
+    NetValue whole = node.New(value.dims);
+    whole.is_whole = true;
+    const NetLoop<2> loop(value.dims, {whole.strides, value.strides});
+    node.Add([loop, is_truth, to_whole = whole.data.get(), from = value.data.get()] {
+      loop.Run([&](const auto& at, int64_t count, const auto& steps) {
+        for (int64_t i = 0; i < count; ++i) {
+          const float number = from[at[1] + i * steps[1]];
+          to_whole[at[0] + i * steps[0]] = is_truth ? (number != 0 ? 1.f : 0.f) : std::trunc(number);
+        }
+      });
+    });
+    return One(std::move(whole));
   }
   value.is_whole = !is_float;
   return One(std::move(value));

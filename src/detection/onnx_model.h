@@ -13,7 +13,14 @@
 namespace yorb {
 
 /// The element types of ONNX that are met here.
-enum OnnxType : int { kOnnxFloat = 1, kOnnxUint8 = 2, kOnnxInt64 = 7, kOnnxFloat16 = 10, kOnnxDouble = 11 };
+enum OnnxType : int {
+  kOnnxFloat = 1,
+  kOnnxUint8 = 2,
+  kOnnxInt64 = 7,
+  kOnnxBool = 9,
+  kOnnxFloat16 = 10,
+  kOnnxDouble = 11
+};
 
 /// A constant: weights, shapes. Halves and doubles are read as floats, all whole numbers and booleans as int64.
 struct OnnxTensor {

@@ -28,6 +28,7 @@ enum Type : int64_t {
   kDouble = 11,
   kUint32 = 12,
   kUint64 = 13,
+  kBfloat16 = 16,
 };
 
 /// The fields of a TensorProto before its numbers are made of them.
@@ -130,52 +131,69 @@ void Convert(std::string_view raw, std::vector<To>& to) {
   }
 }
 
-void ConvertHalves(std::string_view raw, std::vector<float>& to) {
+void ConvertHalves(std::string_view raw, float (*from_half)(uint16_t), std::vector<float>& to) {
   std::vector<uint16_t> halves;
   Convert<uint16_t>(raw, halves);
   to.clear();
-  for (const uint16_t half : halves) to.push_back(FloatOfHalf(half));
+  for (const uint16_t half : halves) to.push_back(from_half(half));
 }
 
-bool IsWhole(int64_t type) { return type != kFloat && type != kHalf && type != kDouble; }
+/// The upper half of a float.
+float FloatOfBfloat(uint16_t upper) {
+  const uint32_t bits = static_cast<uint32_t>(upper) << 16;
+  float value;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
 
-/// Numbers that stand in `raw_data`, or in another file. False for a type that is not read.
-bool FromRaw(std::string_view raw, int64_t type, OnnxTensor& tensor) {
+bool IsWhole(int64_t type) { return type != kFloat && type != kHalf && type != kDouble && type != kBfloat16; }
+
+/// Texts, complex numbers and those of 8 or 4 bits are not.
+bool IsRead(int64_t type) {
+  constexpr int64_t kText = 8;
+  return (type >= kFloat && type <= kUint64 && type != kText) || type == kBfloat16;
+}
+
+/// Numbers that stand in `raw_data`, or in another file.
+void FromRaw(std::string_view raw, int64_t type, OnnxTensor& tensor) {
   switch (type) {
     case kFloat:
       Convert<float>(raw, tensor.floats);
-      return true;
+      break;
     case kHalf:
-      ConvertHalves(raw, tensor.floats);
-      return true;
+      ConvertHalves(raw, FloatOfHalf, tensor.floats);
+      break;
+    case kBfloat16:
+      ConvertHalves(raw, FloatOfBfloat, tensor.floats);
+      break;
     case kDouble:
       Convert<double>(raw, tensor.floats);
-      return true;
+      break;
     case kUint8:
     case kBool:
       Convert<uint8_t>(raw, tensor.ints);
-      return true;
+      break;
     case kInt8:
       Convert<int8_t>(raw, tensor.ints);
-      return true;
+      break;
     case kUint16:
       Convert<uint16_t>(raw, tensor.ints);
-      return true;
+      break;
     case kInt16:
       Convert<int16_t>(raw, tensor.ints);
-      return true;
+      break;
     case kInt32:
       Convert<int32_t>(raw, tensor.ints);
-      return true;
+      break;
     case kInt64:
     case kUint64:
       Convert<int64_t>(raw, tensor.ints);
-      return true;
+      break;
     case kUint32:
       Convert<uint32_t>(raw, tensor.ints);
-      return true;
+      break;
     default:
-      return false;
+      break;
   }
 }
 
@@ -184,8 +202,9 @@ void FromFields(RawTensor& raw) {
   OnnxTensor& tensor = raw.tensor;
   if (tensor.is_whole) {
     tensor.ints = std::move(raw.ints);
-  } else if (raw.type == kHalf) {
-    for (const int64_t bits : raw.ints) tensor.floats.push_back(FloatOfHalf(static_cast<uint16_t>(bits)));
+  } else if (raw.type == kHalf || raw.type == kBfloat16) {
+    const auto from_half = raw.type == kHalf ? FloatOfHalf : FloatOfBfloat;
+    for (const int64_t bits : raw.ints) tensor.floats.push_back(from_half(static_cast<uint16_t>(bits)));
   } else if (raw.type == kDouble) {
     tensor.floats.assign(raw.doubles.begin(), raw.doubles.end());
   } else {
@@ -240,13 +259,16 @@ Result<OnnxTensor> ParseOnnxTensor(std::string_view message, const std::string& 
   if (!raw) return DamagedProto();
   const auto count = CountOf(raw->tensor.dims);
   if (!count) return DamagedProto();
+  if (!IsRead(raw->type))
+    return BadInput("holds numbers of a type that is not read (" + std::to_string(raw->type) +
+                    " of ONNX); export it with weights of 32 or 16 bits");
   raw->tensor.is_whole = IsWhole(raw->type);
   if (raw->is_external) {
     const auto bytes = ReadExternal(*raw, folder);
     if (!bytes) return bytes.error();
-    if (!FromRaw(*bytes, raw->type, raw->tensor)) return BadInput("holds weights of a type that is not read");
+    FromRaw(*bytes, raw->type, raw->tensor);
   } else if (!raw->raw.empty()) {
-    if (!FromRaw(raw->raw, raw->type, raw->tensor)) return BadInput("holds weights of a type that is not read");
+    FromRaw(raw->raw, raw->type, raw->tensor);
   } else {
     FromFields(*raw);
   }
