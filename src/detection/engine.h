@@ -57,8 +57,10 @@ inline constexpr const char* kNorByOpenCv = ", nor by OpenCV";
 /// Dense strides of a tensor whose last axis is next to itself.
 std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims);
 
-/// OpenCV's own engine, which is always there. Bad input where OpenCV cannot read the network.
-Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input);
+/// OpenCV's own engine, which is always there. Bad input where OpenCV cannot read the network; `because`: what XNNPACK
+/// does not know of it, to be named then.
+Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input,
+                                                 const std::string& because = "");
 
 /// XNNPACK's operators, on so many threads, in the order of the graph. The error is what the engine does not know, such
 /// as "operator Gelu".

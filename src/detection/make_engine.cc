@@ -34,7 +34,7 @@ Result<std::unique_ptr<Engine>> MakeEngine(const OnnxModel& model, const EngineI
   if (is_for_opencv) return MakeOpenCvEngine(model, input);
   if (!may_choose) return CannotRun(input.path, "XNNPACK", made.error());
   LogInfo(input.path + ": XNNPACK does not know its " + made.error().message + "; OpenCV runs it");
-  return MakeOpenCvEngine(model, input);
+  return MakeOpenCvEngine(model, input, made.error().message);
 }
 
 }  // namespace yorb

@@ -39,6 +39,8 @@ Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
   if (value.dims.size() != 4) return NoPictures(value, "(1, 3, height, width) is expected");
   if (value.type != kOnnxFloat && value.type != kOnnxFloat16)
     return NoPictures(value, "it is not of floats; export it with floats for input");
+  if (value.dims[3] == 3 && value.dims[1] != 3 && value.dims[1] != 1)
+    return NoPictures(value, "its channels stand last; export it with (1, 3, height, width)");
   const int64_t channels = value.dims[1] < 0 ? 3 : value.dims[1];
   if (channels != 3 && channels != 1)
     return NoPictures(value, "(1, 3, height, width) is expected: red, green, blue before height and width");

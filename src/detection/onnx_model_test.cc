@@ -80,6 +80,13 @@ TEST(Onnx, OtherFilesAreToldByTheirBeginnings) {
   EXPECT_THAT(ReadOnnxBytes("", "a.onnx").error().message, HasSubstr("0 bytes"));
   EXPECT_THAT(ReadOnnxBytes("PK\x03\x04 and more", "a.pt").error().message, HasSubstr("export"));
   EXPECT_THAT(ReadOnnxBytes("version https://git-lfs.github.com/spec/v1", "a.onnx").error().message, HasSubstr("LFS"));
+  const auto told = [](const std::string& bytes) { return ReadOnnxBytes(bytes, "a.onnx").error().message; };
+  EXPECT_THAT(told("\xef\xbb\xbf\r\n <!DOCTYPE html>"), HasSubstr("web page"));
+  EXPECT_THAT(told("Entry not found\n"), testing::AllOf(HasSubstr("'Entry not found'"), HasSubstr("again")));
+  EXPECT_THAT(told(std::string("\x1c\0\0\0TFL3", 8)), HasSubstr("TensorFlow Lite"));
+  EXPECT_THAT(told(std::string("\x2c\1\0\0{\"description\": 1}", 22)), HasSubstr("TensorRT"));
+  EXPECT_THAT(told("\x80\x02\x8a"), HasSubstr("export it to ONNX"));
+  EXPECT_THAT(told(std::string(64, '\0')), HasSubstr("cut short; download or export it again"));
   EXPECT_THAT(ReadOnnxFile("no_such.onnx").error().message, HasSubstr("no_such.onnx does not exist"));
 }
 
@@ -100,6 +107,19 @@ TEST(Onnx, HalvesAreReadAsFloats) {
       ReadOnnxBytes(FileWithTensor(Number(1, 6) + Number(2, 10) + Bytes(8, "w") + Bytes(9, raw)), "half.onnx");
   ASSERT_TRUE(model) << model.error().message;
   EXPECT_EQ(model->constants[0].floats, (std::vector<float>{1, -2, 65504, 0x1p-14f, 0x1p-24f, 0}));
+}
+
+TEST(Onnx, BrainFloatsAreReadAndOtherTypesRefusedByNumber) {
+  const std::string raw("\x80\x3f\x20\xc0", 4);  // 1, -2.5
+  for (const std::string& numbers : {Bytes(9, raw), Number(5, 0x3f80) + Number(5, 0xc020)}) {
+    const auto model = ReadOnnxBytes(FileWithTensor(Number(1, 2) + Number(2, 16) + Bytes(8, "w") + numbers), "b.onnx");
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->constants[0].floats, (std::vector<float>{1, -2.5f}));
+  }
+  const auto eight =
+      ReadOnnxBytes(FileWithTensor(Number(1, 1) + Number(2, 17) + Bytes(8, "w") + Number(5, 7)), "b.onnx");
+  ASSERT_FALSE(eight);
+  EXPECT_THAT(eight.error().message, testing::AllOf(HasSubstr("b.onnx"), HasSubstr("17")));
 }
 
 TEST(Onnx, WeightsInAnotherFileAreReadOrTheFileIsNamed) {

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The yorb-slam authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <utility>
 
+#include "core/text.h"
 #include "detection/onnx_model.h"
 #include "detection/onnx_tensor.h"
 #include "detection/proto_reader.h"
@@ -184,15 +186,39 @@ Status CheckNames(const OnnxModel& model) {
   return Status::Ok();
 }
 
-/// What people take for an ONNX file, by its first bytes.
+/// What people take for an ONNX file, by its first bytes, and what may be done.
 std::string OtherKind(const std::string& bytes) {
-  if (bytes.empty()) return "is empty (0 bytes)";
-  if (bytes.compare(0, 24, "version https://git-lfs.") == 0)
-    return "is a Git LFS pointer, the network itself was not fetched";
-  if (bytes.compare(0, 4, "PK\x03\x04") == 0)
-    return "is an archive such as PyTorch's weights, no ONNX file; export it to ONNX";
-  if (bytes.compare(0, 1, "<") == 0) return "is a web page or XML, no ONNX file";
-  return "is no ONNX file, or is cut short";
+  struct Kind {
+    size_t place;
+    std::string_view mark;
+    const char* is;
+  };
+  static const std::vector<Kind> kinds{
+      {0, "version https://git-lfs.", "is a Git LFS pointer, the network itself was not fetched; git lfs pull does it"},
+      {0, "PK\x03\x04", "is an archive such as PyTorch's weights, no ONNX file; export it to ONNX"},
+      {0, "\x80\x02", "is a pickle such as PyTorch's older weights, no ONNX file; export it to ONNX"},
+      {0, "ftrt", "is an engine of TensorRT, no ONNX file; take the ONNX file that it was made of"},
+      {4, "{\"", "is an engine of TensorRT, no ONNX file; take the ONNX file that it was made of"},
+      {4, "ORTM", "is in ONNX Runtime's own format, no ONNX file; take the ONNX file that it was made of"},
+      {4, "TFL3", "is a network of TensorFlow Lite, no ONNX file; export it to ONNX"},
+      {0, "\x89HDF", "is a file of HDF5 such as Keras's weights, no ONNX file; export it to ONNX"},
+      {0, "7767517", "is a network of ncnn, no ONNX file; export it to ONNX"},
+      {0, "[net]", "is a network of Darknet, no ONNX file; export it to ONNX"},
+      {0, "\x1f\x8b", "is packed by gzip, no ONNX file; unpack it"}};
+  constexpr size_t kStart = 100;  // bytes by which text is told
+  if (bytes.empty()) return "is empty (0 bytes); download or export it again";
+  for (const Kind& kind : kinds) {
+    if (std::string_view(bytes).substr(std::min(kind.place, bytes.size())).starts_with(kind.mark)) return kind.is;
+  }
+  const std::string_view start = std::string_view(bytes).substr(0, kStart);
+  const bool has_mark = start.starts_with("\xef\xbb\xbf");
+  const std::string text(Trim(has_mark ? start.substr(3) : start));
+  if (text.starts_with("<")) return "is a web page or XML, no ONNX file; download or export it again";
+  const auto is_letter = [](char letter) { return static_cast<unsigned char>(letter) >= 0x20 || std::isspace(letter); };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_letter))
+    return "is no ONNX file but a text, '" + std::string(SplitAt(text, '\n').front()).substr(0, 40) +
+           "'; download or export it again";
+  return "is no ONNX file, or is cut short; download or export it again";
 }
 
 Result<OnnxModel> Parse(const std::string& bytes, const std::string& folder) {

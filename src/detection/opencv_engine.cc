@@ -18,10 +18,11 @@ std::string OperatorIn(const std::string& complaint) {
 
 /// What may be done about a network that OpenCV does not read. 4.6 stumbles over most heads that decode their boxes
 /// within the graph.
-Error Unreadable(const std::string& path, const std::string& complaint) {
+Error Unreadable(const std::string& path, const std::string& because, const std::string& complaint) {
   const std::string name = OperatorIn(complaint);
   return BadInput(
-      path + " cannot be run by OpenCV DNN " CV_VERSION + (name.empty() ? "" : ", by its operator " + name) +
+      path + " cannot be run by " + (because.empty() ? "" : "XNNPACK, for its " + because + ", nor by ") +
+      "OpenCV DNN " CV_VERSION + (name.empty() ? "" : ", for its operator " + name) +
       "; export it with fixed sizes and its three raw head maps as outputs, or build yorb with ONNX Runtime");
 }
 
@@ -61,8 +62,8 @@ ShapeOfValue ShapesIn(const cv::dnn::Net& net, const OnnxModel& model, const Eng
 
 class OpenCvEngine : public Engine {
  public:
-  OpenCvEngine(const cv::dnn::Net& net, std::vector<std::string> outputs, EngineInput input)
-      : net_(net), outputs_(std::move(outputs)), input_(std::move(input)) {}
+  OpenCvEngine(const cv::dnn::Net& net, std::vector<std::string> outputs, EngineInput input, std::string because)
+      : net_(net), outputs_(std::move(outputs)), input_(std::move(input)), because_(std::move(because)) {}
 
   std::string name() const override { return "OpenCV DNN"; }
 
@@ -70,11 +71,11 @@ class OpenCvEngine : public Engine {
     try {
       Forward(picture);
     } catch (const cv::Exception& error) {
-      return Unreadable(input_.path, error.err);
+      return Unreadable(input_.path, because_, error.err);
     }
     std::vector<TensorView> views;
     for (const cv::Mat& result : results_) {
-      if (result.depth() != CV_32F) return Unreadable(input_.path, "an output holds no floats");
+      if (result.depth() != CV_32F) return Unreadable(input_.path, because_, "an output holds no floats");
       TensorView view{result.ptr<float>(), {}, {}};
       for (int i = 0; i < result.dims; ++i) view.dims.push_back(result.size[i]);
       view.strides = DenseStrides(view.dims);
@@ -99,6 +100,7 @@ class OpenCvEngine : public Engine {
   cv::dnn::Net net_;
   std::vector<std::string> outputs_;
   EngineInput input_;
+  std::string because_;
   std::vector<cv::Mat> results_;
 };
 
@@ -110,7 +112,8 @@ std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims) {
   return strides;
 }
 
-Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input) {
+Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input,
+                                                 const std::string& because) {
   if (const Status fine = Misread(input.path, MisreadingInFile(model)); !fine) return fine.error();
   const std::string bytes = OnnxBytes(model);
   try {
@@ -120,9 +123,9 @@ Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const E
       return fine.error();
     std::vector<std::string> outputs;
     for (const OnnxValue& output : model.outputs) outputs.push_back(output.name);
-    return std::unique_ptr<Engine>(std::make_unique<OpenCvEngine>(net, std::move(outputs), input));
+    return std::unique_ptr<Engine>(std::make_unique<OpenCvEngine>(net, std::move(outputs), input, because));
   } catch (const cv::Exception& error) {
-    return Unreadable(input.path, error.err);
+    return Unreadable(input.path, because, error.err);
   }
 }
 

@@ -271,6 +271,8 @@ TEST(YoloDetector, WhatIsNoDetectorIsRefusedByNameBeforeItRuns) {
   TestNetwork odd = TwoColourNetwork();
   odd.model.inputs[0].dims = {1, 64, 64, 3};
   EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("bad.onnx"), HasSubstr("(1, 64, 64, 3)")));
+  odd.model.inputs[0].dims = {-1, -1, -1, 3};
+  EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("(?, ?, ?, 3)"), HasSubstr("channels stand last")));
   odd.model.inputs[0].dims = {1, 3, 64, 50};
   EXPECT_THAT(complaint(odd.Bytes()), HasSubstr("multiples of 32"));
   TestNetwork named = TwoColourNetwork();
