@@ -80,6 +80,7 @@ std::optional<HeadLayout> FromRows(size_t output, const HeadFacts& facts) {
   const bool are_cells = IsNumberOfCells(shape[1], facts);
   if (are_cells && facts.num_names > 0 && facts.num_names != 2 && facts.num_names == shape[2] - 4 - extras)
     return take(LayoutKind::kCentreRows, facts.num_names);
+  layout.has_all_rows = are_cells || has_anchors;
   if (shape[2] == 6 + extras && !AreSixOfAnotherNetwork(shape[1], facts))
     return take(LayoutKind::kCornerRows, facts.num_names);
   return std::nullopt;
@@ -199,8 +200,10 @@ Result<HeadLayout> RecogniseLayout(const HeadFacts& facts) {
   if (const auto misfit = MisfitOfNames(facts, shapes)) return *misfit;
   std::string names = facts.num_names > 0 ? " and " + Counted(facts.num_names, "class name") : "";
   if (facts.num_names > 0 && !facts.names_file.empty()) names += " in " + facts.names_file;
-  return BadInput("is no detector that is read: its outputs are " + shapes + " for an input of " +
-                  std::to_string(facts.width) + "x" + std::to_string(facts.height) + names +
+  const bool is_for_else = !facts.task.empty() && facts.task != "detect";
+  return BadInput("is no detector that is read" + (is_for_else ? " but, as it says, for '" + facts.task + "'" : "") +
+                  ": its outputs are " + shapes + " for an input of " + std::to_string(facts.width) + "x" +
+                  std::to_string(facts.height) + names +
                   "; YOLOv5's (1, N, 5+C), YOLOv8's (1, 4+C, N), three raw maps and end-to-end (1, K, 6) are" +
                   RemedyFor(facts));
 }

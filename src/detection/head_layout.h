@@ -17,7 +17,7 @@ enum class LayoutKind {
   kAnchorRows,     ///< YOLOv5: (1, N, 5+C), N three times the cells: centre, size, objectness, classes
   kCentreColumns,  ///< YOLOv8 and 11: (1, 4+C, N), N the cells: centre, size, classes
   kCentreRows,     ///< the same turned round: (1, N, 4+C)
-  kCornerRows,     ///< end to end: (1, K, 6): corners, confidence, class number; doubles are gone already
+  kCornerRows,     ///< end to end: (1, K, 6): corners, confidence, class number; doubles are mostly gone already
   kRawMaps,        ///< a map a stride, (1, 3 (5+C), h, w) or with an axis for the anchors, not yet decoded
 };
 
@@ -32,9 +32,10 @@ struct RawMap {
 /// What the outputs of a network hold.
 struct HeadLayout {
   LayoutKind kind = LayoutKind::kRawMaps;
-  int num_classes = 0;       ///< 0 where the shapes do not say (end to end without names)
-  size_t output = 0;         ///< the one that holds the boxes; not for raw maps
-  std::vector<RawMap> maps;  ///< by rising stride
+  int num_classes = 0;        ///< 0 where the shapes do not say (end to end without names)
+  size_t output = 0;          ///< the one that holds the boxes; not for raw maps
+  bool has_all_rows = false;  ///< corner rows, one a cell: nothing was chosen among them, and doubles are there
+  std::vector<RawMap> maps;   ///< by rising stride
 };
 
 /// The outputs' shapes, and what helps to tell layouts of the same shape from each other.
@@ -44,6 +45,7 @@ struct HeadFacts {
   int num_names = 0;            ///< 0: the file carries none
   int num_keypoint_values = 0;  ///< numbers behind the classes of a pose network; 0: it is none
   std::string names_file;       ///< where the names stand in a file beside the network's
+  std::string task;             ///< what the file says that the network is for: "detect", "obb", "classify"
 };
 
 /// "(1, 84, 8400)".

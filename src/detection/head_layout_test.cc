@@ -129,6 +129,14 @@ TEST(HeadLayout, AllElseIsRefusedWithItsShapes) {
   }
 }
 
+TEST(HeadLayout, WhatANetworkSaysThatItIsForIsToldWhereItIsRefused) {
+  HeadFacts facts = Facts({{1, 7, 84}}, 2);
+  facts.task = "obb";
+  EXPECT_THAT(RecogniseLayout(facts).error().message, testing::HasSubstr("'obb'"));
+  facts.task = "detect";
+  EXPECT_THAT(RecogniseLayout(facts).error().message, testing::HasSubstr("no detector that is read: its outputs"));
+}
+
 TEST(HeadLayout, AListOfNamesThatDoesNotFitIsNamedWithItsNumber) {
   HeadFacts facts = Facts({{1, 6, 84}}, 1);
   EXPECT_THAT(RecogniseLayout(facts).error().message, testing::HasSubstr("64x64 and 1 class name;"));

@@ -59,7 +59,8 @@ Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
   if (!is_bearable || input.width % kCellSize != 0 || input.height % kCellSize != 0 ||
       input.batch != std::max<int64_t>(value.dims[0], 1))
     return NoPictures(value, "sizes that are multiples of " + std::to_string(kCellSize) + " up to " +
-                                 std::to_string(kLargestSize) + " are expected");
+                                 std::to_string(kLargestSize) + " are expected, not " + std::to_string(input.width) +
+                                 "x" + std::to_string(input.height));
   return input;
 }
 
@@ -152,6 +153,7 @@ Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {
   if (!anchors) return named(anchors.error());
   network.anchors = *std::move(anchors);
   network.stills_px = StillsSides(*model);
+  network.task = Metadata(*model, "task").substr(0, 20);
   network.num_keypoint_values = KeypointValues(*model);
   network.model = *std::move(model);
   return network;

@@ -16,6 +16,7 @@ HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network
   facts.width = network.input.width, facts.height = network.input.height;
   facts.num_names = static_cast<int>(network.names.size());
   facts.names_file = network.names_file;
+  facts.task = network.task;
   facts.num_keypoint_values = network.num_keypoint_values;
   return facts;
 }

@@ -227,7 +227,8 @@ Result<std::vector<Box>> YoloDetector::Look(const ImageSet& images, ShapedEngine
                     ", are no classes; end-to-end rows are corners, confidence and class number");
   auto raw_boxes = Decode(*outputs, layout);
   if (!raw_boxes) return raw_boxes.error();
-  const double most_overlap = layout.kind == LayoutKind::kCornerRows ? 1.0 : options_.most_overlap;
+  const double most_overlap =
+      layout.kind == LayoutKind::kCornerRows && !layout.has_all_rows ? 1.0 : options_.most_overlap;
   std::vector<Box> boxes;
   for (const RawBox& raw : SuppressDoubles(*std::move(raw_boxes), most_overlap, kMostBoxes)) {
     const Box whole{NameOf(raw.label),         raw.confidence,

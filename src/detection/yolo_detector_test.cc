@@ -255,6 +255,24 @@ TEST(YoloDetector, EightyClassesWithoutNamesAreCocos) {
   EXPECT_EQ((*detector)->names(), CocoNames());
 }
 
+TEST(YoloDetector, CornerRowsOfAllCellsStillHaveTheirDoubles) {
+  const auto num_boxes = [](int64_t num_rows) {
+    TestNetwork net(64, 64);
+    std::vector<float> rows(static_cast<size_t>(num_rows) * 6, 0);
+    const float twice[] = {8, 16, 24, 32, .9f, 1, 8, 16, 25, 33, .8f, 1};
+    std::copy(twice, twice + 12, rows.begin());
+    const std::string picture = net.Reshaped(net.Op("GlobalAveragePool", {net.Conv("images", 3, 1, 1, 1)}), {1, 1, 1});
+    const std::string nothing = net.Op("Mul", {picture, net.Constant({1}, {0})});
+    net.Output(net.Op("Add", {net.Constant({1, num_rows, 6}, rows), nothing}), {1, num_rows, 6});
+    net.model.metadata["names"] = "['person', 'cup', 'dog']";
+    const auto boxes = BoxesOf(net, "auto", RedAndGreen());
+    EXPECT_TRUE(boxes) << boxes.error().message;
+    return boxes ? boxes->size() : 0;
+  };
+  EXPECT_EQ(num_boxes(300), 2u) << "they were chosen within the graph";
+  EXPECT_EQ(num_boxes(84), 1u) << "a row a cell";
+}
+
 TEST(YoloDetector, WhatIsNoDetectorIsRefusedByNameBeforeItRuns) {
   const TestFolder folder;
   const auto complaint = [&](const std::string& bytes) {
@@ -274,7 +292,7 @@ TEST(YoloDetector, WhatIsNoDetectorIsRefusedByNameBeforeItRuns) {
   odd.model.inputs[0].dims = {-1, -1, -1, 3};
   EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("(?, ?, ?, 3)"), HasSubstr("channels stand last")));
   odd.model.inputs[0].dims = {1, 3, 64, 50};
-  EXPECT_THAT(complaint(odd.Bytes()), HasSubstr("multiples of 32"));
+  EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("multiples of 32"), HasSubstr("not 50x64")));
   TestNetwork named = TwoColourNetwork();
   named.model.metadata["names"] = "person and cup";
   EXPECT_THAT(complaint(named.Bytes()), HasSubstr("person and cup"));
