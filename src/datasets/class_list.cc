@@ -3,6 +3,7 @@
 // The lists of classes that sets of labelled pictures carry.
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -83,6 +84,32 @@ Result<LabelForm> FormOfList(const std::string& path) {
   return LabelForm{*std::move(names), 0};
 }
 
+/// Whether a YAML file has a list of names; those of settings have none.
+bool HasNames(const fs::path& path) {
+  const auto text = ReadWholeText(path.string());
+  if (!text) return false;
+  try {
+    const YAML::Node file = YAML::Load(*text);
+    return file.IsMap() && file["names"];
+  } catch (const YAML::Exception&) {
+    return false;
+  }
+}
+
+/// Lists of classes under names of their own: coco128.yaml, obj.names.
+std::vector<fs::path> OtherListsIn(const fs::path& folder) {
+  std::vector<fs::path> lists;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code ignored;
+    const std::string ending = LowerCase(entry->path().extension().string());
+    const bool is_yaml = ending == ".yaml" || ending == ".yml", is_file = fs::is_regular_file(entry->path(), ignored);
+    if (is_file && (ending == ".names" || (is_yaml && HasNames(entry->path())))) lists.push_back(entry->path());
+  }
+  std::sort(lists.begin(), lists.end());
+  return lists;
+}
+
 /// The folder that a folder lies in.
 fs::path Above(const std::string& folder) {
   std::error_code error;
@@ -108,6 +135,13 @@ Result<LabelForm> ReadLabelForm(const std::string& folder, const std::string& se
   }
   // Roboflow's sets, DIR/valid and DIR/test, share the file above them.
   if (const fs::path list = Above(folder) / "data.yaml"; is_there(list)) return ReadDataYaml(list.string());
+  const std::vector<fs::path> others = OtherListsIn(place);
+  if (others.size() > 1)
+    return BadInput(folder + " has several lists of classes, " + others[0].filename().string() + " and " +
+                    others[1].filename().string() + "; name the right one data.yaml, or classes.txt");
+  if (others.size() == 1)
+    return LowerCase(others[0].extension().string()) == ".names" ? FormOfList(others[0].string())
+                                                                 : ReadDataYaml(others[0].string());
   LogWarning("no-class-list",
              folder + " has no list of its classes (classes.txt or data.yaml); they count as COCO's 80");
   return LabelForm{CocoNames(), 0};

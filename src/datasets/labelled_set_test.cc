@@ -111,6 +111,23 @@ TEST(ClassList, IsReadInItsFourForms) {
   EXPECT_THAT(read("classes.txt", "").error().message, HasSubstr("classes.txt"));
 }
 
+TEST(ClassList, OneListOfAnotherNameIsReadAndSeveralAreNamed) {
+  const TestFolder folder;
+  folder.Write("hyp.yaml", "lr0: 0.01\n");
+  folder.Write("broken.yaml", "a: [\n");
+  EXPECT_EQ(ReadLabelForm(folder.Path(), "")->classes.size(), 80u);
+  folder.Write("mine.yaml", "path: x\nnames: {0: person, 1: cup}\n");
+  EXPECT_EQ(ReadLabelForm(folder.Path(), "")->classes, (Names{"person", "cup"}));
+  folder.Write("obj.names", "cup\nperson\n");
+  EXPECT_THAT(ReadLabelForm(folder.Path(), "").error().message,
+              AllOf(HasSubstr("mine.yaml and obj.names"), HasSubstr("data.yaml")));
+  folder.Write("data.yaml", "names: [dog]\n");
+  EXPECT_EQ(ReadLabelForm(folder.Path(), "")->classes, Names{"dog"});
+  const TestFolder other;
+  other.Write("obj.names", "cup\nperson\n");
+  EXPECT_EQ(ReadLabelForm(other.Path(), "")->classes, (Names{"cup", "person"}));
+}
+
 TEST(LabelledSet, FindsTheLabelsAtTheSamePlace) {
   const TestFolder folder;
   folder.WritePicture("images/val/a/1.png", TestColour(0));
