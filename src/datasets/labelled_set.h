@@ -43,8 +43,8 @@ Result<LabelledSet> ReadLabelledSet(const std::string& folder, const std::string
 Result<std::vector<LabelledBox>> ReadLabelFile(const std::string& path, const LabelForm& form);
 
 /// From DIR/classes.txt, DIR/data.yaml, DIR/labels/classes.txt, DIR/labels/SET/classes.txt or the data.yaml of the
-/// folder above, the first that is there; else from the one list in DIR that has another name (coco128.yaml, obj.names);
-/// else the classes are COCO's, with a warning.
+/// folder above, the first that is there; else from the one list in DIR that has another name (coco128.yaml,
+/// obj.names); else the classes are COCO's, with a warning.
 Result<LabelForm> ReadLabelForm(const std::string& folder, const std::string& set);
 
 }  // namespace yorb

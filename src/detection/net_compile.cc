@@ -186,7 +186,9 @@ class NetCompiler {
       const auto limit = [&](const char* name, size_t input, float otherwise) {
         if (next.Find(name) != nullptr) return next.Number(name, otherwise);
         const auto found = next.inputs.size() > input ? values_.find(next.inputs[input]) : values_.end();
-        return found != values_.end() && found->second.is_constant ? NumbersOf(found->second)[0] : otherwise;
+        return found != values_.end() && found->second.is_constant && found->second.size() == 1
+                   ? NumbersOf(found->second)[0]
+                   : otherwise;
       };
       ready.least = limit("min", 1, -HUGE_VALF), ready.most = limit("max", 2, HUGE_VALF);
       const bool is_known = ready.least > -HUGE_VALF && ready.most < HUGE_VALF && ready.least < ready.most;

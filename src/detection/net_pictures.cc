@@ -62,11 +62,15 @@ Result<Window> WindowOf(const NetNode& node, const Dims& kernel) {
                 dilations[1], pads[0],   pads[1],    pads[2],    pads[3]};
   const std::string padding = node.node.Text("auto_pad", "NOTSET");
   if (padding == "SAME_UPPER" || padding == "SAME_LOWER") PadForSame(input, padding == "SAME_UPPER", window);
-  const bool is_sound = window.kernel_y > 0 && window.kernel_x > 0 && window.stride_y > 0 && window.stride_x > 0 &&
-                        window.dilation_y > 0 && window.dilation_x > 0 && window.top >= 0 && window.left >= 0 &&
-                        window.bottom >= 0 && window.right >= 0;
-  if (!is_sound || window.Height(input.dims[2]) < 1 || window.Width(input.dims[3]) < 1)
-    return BadInput(": its window does not fit its input");
+  const auto are_within = [](int64_t least, const Dims& numbers) {
+    constexpr int64_t kMost = 1 << 16;
+    return std::all_of(numbers.begin(), numbers.end(), [&](int64_t n) { return n >= least && n <= kMost; });
+  };
+  const bool is_sound = are_within(1, kernel) && are_within(1, strides) && are_within(1, dilations) &&
+                        are_within(0, {window.top, window.left, window.bottom, window.right}) &&
+                        input.dims[2] + window.top + window.bottom > window.dilation_y * (window.kernel_y - 1) &&
+                        input.dims[3] + window.left + window.right > window.dilation_x * (window.kernel_x - 1);
+  if (!is_sound) return BadInput(": its window does not fit its input");
   return window;
 }
 

@@ -129,7 +129,7 @@ NetOutputs Slice(const NetNode& node) {
     value.dims[*axis] = std::max<int64_t>((reach + std::abs(step) - 1) / std::abs(step), 0);
     value.strides[*axis] *= step;
   }
-  if (value.size() == 0) return BadInput(": nothing is left");
+  if (value.size() == 0) return BadInput(std::string(": nothing is left") + kNorByOpenCv);
   return One(std::move(value));
 }
 
@@ -294,6 +294,9 @@ NetOutputs ConstantOfShape(const NetNode& node) {
 
 NetOutputs RangeOf(const NetNode& node) {
   if (!node.is_constant) return BadInput(": its limits are not known beforehand");
+  for (const size_t limit : {0, 1, 2}) {
+    if (!node.Has(limit) || node.inputs[limit].size() != 1) return BadInput(": a limit is missing");
+  }
   const float start = NumbersOf(node.inputs[0])[0], end = NumbersOf(node.inputs[1])[0],
               step = NumbersOf(node.inputs[2])[0];
   std::vector<float> numbers;

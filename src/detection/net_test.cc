@@ -250,6 +250,26 @@ TEST(Net, SoftmaxOfOlderFilesIsOverAllAxesFromItsOwnOn) {
   EXPECT_EQ(Compiled(network(13, {})), Compiled(network(13, {IntAttribute("axis", 3)})));
 }
 
+TEST(Net, WindowsBeyondThePictureAndMissingLimitsAreRefused) {
+  const auto complaint = [](const TestNetwork& net) {
+    const auto engine = MakeXnnpackEngine(*ReadOnnxBytes(net.Bytes(), "a.onnx"), InputOf(net.model), 1);
+    return engine ? "" : engine.error().message;
+  };
+  for (const int64_t side : {5, 9, 1 << 20}) {  // 5: larger than the picture by less than a step
+    TestNetwork net(4, 4);
+    net.Output(net.Op("AveragePool", {"images"},
+                      {IntsAttribute("kernel_shape", {side, side}), IntsAttribute("strides", {8, 8})}),
+               {1, 3, 1, 1});
+    EXPECT_THAT(complaint(net), testing::HasSubstr("does not fit")) << side;
+  }
+  TestNetwork range(4, 4);
+  range.Output(range.Op("Range", {range.Whole({0}), range.Whole({4})}), {4});
+  EXPECT_THAT(complaint(range), testing::HasSubstr("a limit is missing"));
+  TestNetwork slice(4, 4);
+  slice.Output(slice.Op("Slice", {"images", slice.Whole({4}), slice.Whole({9}), slice.Whole({3})}), {1, 3, 4, 0});
+  EXPECT_THAT(complaint(slice), testing::HasSubstr("nothing is left, nor by OpenCV"));
+}
+
 TEST(Net, AnOperatorThatIsNotKnownIsNamed) {
   TestNetwork net(32, 32);
   net.Output(net.Op("Gelu", {"images"}), {1, 3, 32, 32});
