@@ -12,7 +12,7 @@ using Shape = std::vector<int64_t>;
 
 /// The strides that networks have maps of, the common ones first.
 const std::vector<std::vector<int>>& StrideSets() {
-  static const std::vector<std::vector<int>> sets{{8, 16, 32}, {8, 16, 32, 64}, {4, 8, 16, 32}};
+  static const std::vector<std::vector<int>> sets{{8, 16, 32}, {8, 16, 32, 64}, {4, 8, 16, 32}, {16, 32}};
   return sets;
 }
 
@@ -24,13 +24,10 @@ bool IsNumberOfCells(int64_t count, const HeadFacts& facts) {
   });
 }
 
-/// Rows of six that are no end-to-end rows: one class and objectness, a row a cell (YOLOv6, YOLOX) or three at two
-/// strides (YOLOv3-tiny), or YOLOv8's two classes turned round. Read as corners they would be nonsense.
+/// Rows of six that are no end-to-end rows: one class and objectness, a row a cell (YOLOv6, YOLOX), or YOLOv8's two
+/// classes turned round. Read as corners they would be nonsense.
 bool AreSixOfAnotherNetwork(int64_t num_rows, const HeadFacts& facts) {
-  const int64_t cells_of_two =
-      int64_t{facts.width / 16} * (facts.height / 16) + int64_t{facts.width / 32} * (facts.height / 32);
-  if (IsNumberOfCells(num_rows, facts)) return facts.num_names <= 2;
-  return num_rows == kAnchors * cells_of_two && facts.num_names <= 1;
+  return IsNumberOfCells(num_rows, facts) && facts.num_names <= 2;
 }
 
 /// How many numbers stand behind the class scores: the coefficients of a segmentation network, which has that many

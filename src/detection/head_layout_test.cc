@@ -28,6 +28,7 @@ TEST(HeadLayout, YoloFiveAndEightAreToldByTheNumberOfCells) {
   ExpectLayout(Facts({{1, 84, 8400}}, 0, 640, 640), LayoutKind::kCentreColumns, 80);
   ExpectLayout(Facts({{1, 35, 1680}}, 31, 320, 256), LayoutKind::kCentreColumns, 31);
   ExpectLayout(Facts({{1, 25500, 85}}, 80, 640, 640), LayoutKind::kAnchorRows, 80);  // four strides, 8 to 64
+  ExpectLayout(Facts({{1, 6000, 85}}, 80, 640, 640), LayoutKind::kAnchorRows, 80);   // two, 16 and 32
 }
 
 TEST(HeadLayout, SixColumnsAreOneClassOrEndToEnd) {
@@ -41,8 +42,9 @@ TEST(HeadLayout, SixColumnsAreOneClassOrEndToEnd) {
     EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 6}}, num_names))) << "a row a cell: YOLOv6's, or YOLOv8's turned round";
   }
   for (const int num_names : {0, 1}) {
-    EXPECT_FALSE(RecogniseLayout(Facts({{1, 60, 6}}, num_names))) << "YOLOv3-tiny has two strides";
+    ExpectLayout(Facts({{1, 60, 6}}, num_names), LayoutKind::kAnchorRows, 1);  // YOLOv3-tiny has two strides
   }
+  ExpectLayout(Facts({{1, 60, 6}}, 10), LayoutKind::kCornerRows, 10);
   ExpectLayout(Facts({{1, 5, 84}}, 1), LayoutKind::kCentreColumns, 1);
   ExpectLayout(Facts({{1, 6, 84}}, 2), LayoutKind::kCentreColumns, 2);
 }
