@@ -109,7 +109,7 @@ double ConfidenceOf(const Json& object) {
 }
 
 /// The names of the four edges in files of several tools.
-constexpr std::array<std::array<const char*, 3>, 4> kEdges = {
+constexpr std::array<std::array<const char*, 3>, 4> kEdgeNames = {
     {{"left", "xmin", "x1"}, {"top", "ymin", "y1"}, {"right", "xmax", "x2"}, {"bottom", "ymax", "y2"}}};
 
 /// The four edges by their names, in the box or in an object in it, or as a list. What is wrong, in words.
@@ -120,9 +120,10 @@ std::string ReadEdges(const Json& object, Box& box) {
   const bool is_list = list != object.end() && list->is_array() && list->size() == 4;
   const Json& named = inner != object.end() && inner->is_object() ? *inner : object;
   for (size_t i = 0; i < 4; ++i) {
-    const auto key = std::find_if(kEdges[i].begin(), kEdges[i].end(), [&](const char* k) { return named.contains(k); });
-    if (!is_list && key == kEdges[i].end()) {
-      return std::string("a box has no ") + kEdges[i][0] +
+    const auto key =
+        std::find_if(kEdgeNames[i].begin(), kEdgeNames[i].end(), [&](const char* k) { return named.contains(k); });
+    if (!is_list && key == kEdgeNames[i].end()) {
+      return std::string("a box has no ") + kEdgeNames[i][0] +
              (object.contains("bbox") || object.contains("xywh")
                   ? "; four numbers may be a corner and a size, or two corners: write left, top, right and bottom"
                   : "");
@@ -181,8 +182,9 @@ Status ReadMoment(const Json& json, const std::string& where, int number, BoxFil
   if (!time && json.contains("timestamp")) return NoSeconds(where, json["timestamp"].dump());
   if (!time) return NoTime(where, json);
   Json list = Json::array();
-  const bool is_flat = json.contains("box") || json.contains("bbox") || json.contains("xyxy") ||
-                       std::any_of(kEdges[0].begin(), kEdges[0].end(), [&](const char* k) { return json.contains(k); });
+  const bool is_flat =
+      json.contains("box") || json.contains("bbox") || json.contains("xyxy") ||
+      std::any_of(kEdgeNames[0].begin(), kEdgeNames[0].end(), [&](const char* k) { return json.contains(k); });
   for (const char* key : {"boxes", "detections"}) {
     if (json.contains(key)) list = json[key];
   }

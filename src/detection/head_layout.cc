@@ -113,12 +113,12 @@ int64_t NumValues(const RawMap& map, const HeadFacts& facts) {
   return size % kAnchors == 0 ? size / kAnchors : 0;
 }
 
-/// Whether nothing tells maps of YOLOv5's from YOLOv8's own, which have 64 numbers and one a class: the names are
-/// missing, and YOLOv5's would not be of COCO's 80 classes.
+/// Whether nothing tells maps from YOLOv8's own, which have 64 numbers and one a class: the names are missing, and the
+/// maps are put together from edges and classes, where YOLOv5's come from one convolution, and have 255 for COCO's.
 bool MayBeWithoutAnchors(const RawMap& map, const HeadFacts& facts) {
   constexpr int64_t kEdges = 64, kCoco = 3 * (5 + 80);
   const int64_t size = facts.shapes[map.output][static_cast<size_t>(map.value_axis)];
-  return facts.num_names == 0 && map.anchor_axis == 0 && size > kEdges && size != kCoco;
+  return facts.num_names == 0 && facts.are_joined && map.anchor_axis == 0 && size > kEdges && size != kCoco;
 }
 
 std::optional<HeadLayout> FromMaps(const HeadFacts& facts, bool are_values_last) {

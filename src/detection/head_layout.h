@@ -43,6 +43,7 @@ struct HeadFacts {
   std::vector<std::vector<int64_t>> shapes;
   int width = 0, height = 0;    ///< of the input, px
   int num_names = 0;            ///< 0: the file carries none
+  bool are_joined = false;      ///< each output is put together from several, as YOLOv8's raw maps are
   int num_keypoint_values = 0;  ///< numbers behind the classes of a pose network; 0: it is none
   std::string names_file;       ///< where the names stand in a file beside the network's
   std::string task;             ///< what the file says that the network is for: "detect", "obb", "classify"

@@ -11,7 +11,9 @@ namespace {
 using Shapes = std::vector<std::vector<int64_t>>;
 
 HeadFacts Facts(const Shapes& shapes, int num_names, int width = 64, int height = 64) {
-  return {shapes, width, height, num_names, 0};
+  HeadFacts facts;
+  facts.shapes = shapes, facts.width = width, facts.height = height, facts.num_names = num_names;
+  return facts;
 }
 
 void ExpectLayout(const HeadFacts& facts, LayoutKind kind, int num_classes) {
@@ -100,27 +102,33 @@ TEST(HeadLayout, ScoresWhoseBoxesStandApartAreNoBoxes) {
 
 TEST(HeadLayout, MapsWithoutNamesThatMayBeYoloEightsAreRefused) {
   const auto maps = [](int64_t size) { return Shapes{{1, size, 8, 8}, {1, size, 4, 4}, {1, size, 2, 2}}; };
+  const auto joined = [&](int64_t size, int num_names) {
+    HeadFacts facts = Facts(maps(size), num_names);
+    facts.are_joined = true;
+    return facts;
+  };
   for (const int64_t size : {66, 69, 144}) {
-    const auto layout = RecogniseLayout(Facts(maps(size), 0));
+    const auto layout = RecogniseLayout(joined(size, 0));
     ASSERT_FALSE(layout) << size;
     EXPECT_THAT(layout.error().message, testing::HasSubstr(".names"));
   }
-  ExpectLayout(Facts(maps(66), 17), LayoutKind::kRawMaps, 17);
+  ExpectLayout(joined(66, 17), LayoutKind::kRawMaps, 17);
+  ExpectLayout(joined(60, 0), LayoutKind::kRawMaps, 15);
+  ExpectLayout(Facts(maps(75), 0), LayoutKind::kRawMaps, 20);
   ExpectLayout(Facts(maps(255), 0), LayoutKind::kRawMaps, 80);
   EXPECT_FALSE(RecogniseLayout(Facts(maps(66), 2)));
 }
 
 TEST(HeadLayout, AllElseIsRefusedWithItsShapes) {
   const std::vector<std::pair<Shapes, int>> others{
-      {{{1, 1, 3}}, 3},                                       // a classifier
-      {{{1, 1, 64, 64}}, 0},                                  // a depth map
-      {{{5, 3}}, 2},                                          // what NonMaxSuppression gives
-      {{{1, 7, 84}}, 2},                                      // rotated boxes
-      {{{1, 84, 84}}, 3},                                     // 80 classes, 3 names
-      {{{1, 84, 8}}, 3},                                      // one row a cell, as YOLOX writes them
-      {{{1, 21, 8, 8}, {1, 21, 4, 4}}, 2},                    // two maps
-      {{{1, 21, 8, 8}, {1, 21, 4, 4}, {1, 24, 2, 2}}, 0},     // maps that disagree
-      {{{1, 144, 8, 8}, {1, 144, 4, 4}, {1, 144, 2, 2}}, 0},  // YOLOv8's own raw maps
+      {{{1, 1, 3}}, 3},                                    // a classifier
+      {{{1, 1, 64, 64}}, 0},                               // a depth map
+      {{{5, 3}}, 2},                                       // what NonMaxSuppression gives
+      {{{1, 7, 84}}, 2},                                   // rotated boxes
+      {{{1, 84, 84}}, 3},                                  // 80 classes, 3 names
+      {{{1, 84, 8}}, 3},                                   // one row a cell, as YOLOX writes them
+      {{{1, 21, 8, 8}, {1, 21, 4, 4}}, 2},                 // two maps
+      {{{1, 21, 8, 8}, {1, 21, 4, 4}, {1, 24, 2, 2}}, 0},  // maps that disagree
       {{}, 0},
   };
   for (const auto& [shapes, num_names] : others) {

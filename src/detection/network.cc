@@ -126,13 +126,13 @@ const OnnxNode* MakerOf(const OnnxModel& model, const std::string& value) {
 
 }  // namespace
 
-bool EndsInSigmoid(const OnnxModel& model, const std::string& output) {
+std::string LastOperator(const OnnxModel& model, const std::string& output) {
   const OnnxNode* node = MakerOf(model, output);
   while (node != nullptr && !node->inputs.empty() &&
          (node->op == "Reshape" || node->op == "Transpose" || node->op == "Identity" || node->op == "Cast")) {
     node = MakerOf(model, node->inputs.front());
   }
-  return node != nullptr && node->op == "Sigmoid";
+  return node != nullptr ? node->op : "";
 }
 
 Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {

@@ -37,7 +37,7 @@ constexpr size_t kMostLooks = 8;
 /// pictures.
 Result<Network> OpenNetwork(const std::string& path, const cv::Size& size);
 
-/// Whether a Sigmoid is the last that happens to an output, but for changes of its shape.
-bool EndsInSigmoid(const OnnxModel& model, const std::string& output);
+/// The last that happens to an output, but for changes of its shape: "Sigmoid"; empty where nothing does.
+std::string LastOperator(const OnnxModel& model, const std::string& output);
 
 }  // namespace yorb

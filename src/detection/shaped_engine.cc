@@ -13,6 +13,9 @@ namespace yorb {
 HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network) {
   HeadFacts facts;
   for (const TensorView& output : outputs) facts.shapes.push_back(output.dims);
+  const auto is_joined = [&](const OnnxValue& output) { return LastOperator(network.model, output.name) == "Concat"; };
+  const std::vector<OnnxValue>& named = network.model.outputs;
+  facts.are_joined = std::all_of(named.begin(), named.end(), is_joined);
   facts.width = network.input.width, facts.height = network.input.height;
   facts.num_names = static_cast<int>(network.names.size());
   facts.names_file = network.names_file;

@@ -38,7 +38,8 @@ void NameClasses(int num_classes, Network& network) {
 /// Whether the sigmoid of raw maps is still to come: as the graph says, else as the numbers look.
 bool AreLogits(const Network& network, const HeadLayout& layout, const std::vector<TensorView>& outputs) {
   for (const RawMap& map : layout.maps) {
-    if (!EndsInSigmoid(network.model, network.model.outputs[map.output].name)) return LookLikeLogits(outputs, layout);
+    if (LastOperator(network.model, network.model.outputs[map.output].name) != "Sigmoid")
+      return LookLikeLogits(outputs, layout);
   }
   return false;
 }

@@ -242,6 +242,28 @@ TEST(YoloDetector, TheSizeIsTheFilesOrItsMetadatasOrTheUsers) {
   EXPECT_THAT(fixed.error().message, HasSubstr("decoded.onnx"));
 }
 
+// Of 75 numbers a cell without names, YOLOv5's come from one convolution: 20 classes; YOLOv8's own from two: 11.
+TEST(YoloDetector, MapsWithoutNamesAreToldByWhatMadeThem) {
+  const auto open = [](bool is_joined) {
+    TestNetwork net(64, 64);
+    for (const int64_t stride : {8, 16, 32}) {
+      const auto cells = [&](int64_t size) { return net.Conv("images", 3, size, 1, stride); };
+      const std::string map =
+          is_joined ? net.Op("Concat", {cells(64), cells(11)}, {IntAttribute("axis", 1)}) : cells(75);
+      net.Output(map, {1, 75, 64 / stride, 64 / stride});
+    }
+    const TestFolder folder;
+    DetectionOptions options;
+    options.model = folder.Write("net.onnx", net.Bytes());
+    return YoloDetector::Open(options);
+  };
+  const auto fives = open(false), eights = open(true);
+  ASSERT_TRUE(fives) << fives.error().message;
+  EXPECT_EQ((*fives)->names().size(), 20u);
+  ASSERT_FALSE(eights);
+  EXPECT_THAT(eights.error().message, HasSubstr("YOLOv8's own raw maps are not"));
+}
+
 TEST(YoloDetector, EightyClassesWithoutNamesAreCocos) {
   TestNetwork net(64, 64);
   net.Output(net.Op("Mul", {net.Constant({1, 84, 84}, std::vector<float>(84 * 84, 0)),
