@@ -40,6 +40,7 @@ Fix FixFromPoints(const Frame& frame, const Rigid3& guess, const std::vector<Kno
   fix.cam_from_world = estimate.cam_from_world;
   fix.matches.resize(frame.size());
   fix.sigma_m = estimate.SigmaOfPlace();
+  fix.information = estimate.information;
   fix.held_by = estimate.held_by;
   fix.num_matched = observations.size();
   for (size_t k = 0; k < observations.size(); ++k) {

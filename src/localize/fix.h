@@ -23,11 +23,12 @@ struct Fix {
   std::vector<LandmarkId> matches;  ///< a row a keypoint of the frame; inliers of the last optimisation only
   /// How unsure the points leave the place, in metres, if they err each by itself: one standard deviation.
   double sigma_m = 0;
-  Matrix6d held_by = Matrix6d::Zero();    ///< beside its points, as in PoseEstimate
-  std::vector<DepthPoint> by_depth;       ///< inliers too, by rising rows, where `matches` has no landmark
-  std::vector<PoseObservation> followed;  ///< inliers beside the keypoints: found by optical flow
-  size_t num_matched = 0;                 ///< before outliers were taken out
-  size_t num_inliers = 0;                 ///< of landmarks
+  Matrix6d information = Matrix6d::Zero();  ///< of its points, as in PoseEstimate
+  Matrix6d held_by = Matrix6d::Zero();      ///< beside its points, as in PoseEstimate
+  std::vector<DepthPoint> by_depth;         ///< inliers too, by rising rows, where `matches` has no landmark
+  std::vector<PoseObservation> followed;    ///< inliers beside the keypoints: found by optical flow
+  size_t num_matched = 0;                   ///< before outliers were taken out
+  size_t num_inliers = 0;                   ///< of landmarks
 
   size_t num_at_keypoints() const { return num_inliers + by_depth.size(); }
   size_t num_in_all() const { return num_at_keypoints() + followed.size(); }

@@ -37,6 +37,8 @@ struct FrameRecord {
   TrackingState state = TrackingState::kNotInitialized;
   KeyframeId reference;  ///< valid where the pose is confirmed (state kTracking)
   Rigid3 cam_from_reference;
+  Matrix6d information = Matrix6d::Zero();  ///< of the pose by the points of the picture, as in PoseEstimate
+  bool is_repeated = false;  ///< the very picture that the last confirmed frame shows, with that frame's pose
   int num_extracted = 0;
   int num_static = 0;      ///< left to the tracker
   int num_removed = 0;     ///< as dynamic

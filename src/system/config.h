@@ -44,6 +44,8 @@ struct Config {
   std::string load_map;    ///< a file of `--save-map` to go on from; empty: a new map is begun
   /// true: the camera is only located in `load_map`, also in single pictures; nothing is added or changed
   bool localize_only = false;
+  /// true: trajectory.txt holds the likeliest path of a camera in hand; false: each pose as its own picture gave it
+  bool smooth = true;
   int64_t seed = 1;        ///< of everything that is drawn by chance: RANSAC in relocalisation
   int64_t max_frames = 0;  ///< only so many pictures from the start of a sequence; 0: all
   DetectionOptions detection = DetectionInRuns();
@@ -61,6 +63,7 @@ struct Config {
     visit("masks", self.masks, AnyValue());
     visit("load_map", self.load_map, AnyValue());
     visit("localize_only", self.localize_only, AnyValue());
+    visit("smooth", self.smooth, AnyValue());
     visit("seed", self.seed, Range(0, 9e15));
     visit("max_frames", self.max_frames, Range(0, 9e15));
     visit("detection", self.detection);

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
+
+#include "optimize/smooth_trajectory.h"
 
 namespace yorb {
 namespace {
@@ -31,9 +34,33 @@ void SortByTime(Trajectory& poses) {
                    [](const StampedPose& a, const StampedPose& b) { return a.timestamp < b.timestamp; });
 }
 
+/// The frames of one sub-map on their way into its trajectory.
+struct Path {
+  std::vector<MeasuredPose> measured;
+  std::vector<std::pair<Timestamp, size_t>> frames;  ///< with rows of `measured`: a repeated picture has one pose
+
+  void Add(const FrameRecord& record, const Rigid3& cam_from_world) {
+    const bool is_known = record.is_repeated && !measured.empty();
+    if (!is_known) measured.push_back({record.timestamp, cam_from_world, record.information});
+    frames.emplace_back(record.timestamp, measured.size() - 1);
+  }
+
+  Trajectory ToTrajectory(bool smooth) const {
+    const std::vector<Rigid3> poses = smooth ? SmoothTrajectory(measured) : std::vector<Rigid3>();
+    Trajectory trajectory;
+    trajectory.reserve(frames.size());
+    for (const auto& [timestamp, row] : frames) {
+      trajectory.push_back({timestamp, (smooth ? poses[row] : measured[row].cam_from_world).Inverse()});
+    }
+    return trajectory;
+  }
+};
+
 /// The sub-maps, those that were there from the beginning first, then the one with most frames of this run.
-std::vector<SubmapReport> SubmapsOf(const std::vector<FrameRecord>& records, const Map& map, KeyframeId first_own) {
+std::vector<SubmapReport> SubmapsOf(const std::vector<FrameRecord>& records, const Map& map, KeyframeId first_own,
+                                    bool smooth) {
   std::map<uint32_t, SubmapReport> by_root;
+  std::map<uint32_t, Path> paths;
   std::unordered_map<FrameId, KeyframeId> keyframe_of;
   map.VisitKeyframes([&](const Keyframe& keyframe) {
     keyframe_of[keyframe.frame->id] = keyframe.id;
@@ -42,8 +69,9 @@ std::vector<SubmapReport> SubmapsOf(const std::vector<FrameRecord>& records, con
   for (const FrameRecord& record : records) {
     const auto placed = Place(record, map, keyframe_of);
     if (!placed) continue;
-    by_root[placed->root.value()].trajectory.push_back({record.timestamp, placed->cam_from_world.Inverse()});
+    paths[placed->root.value()].Add(record, placed->cam_from_world);
   }
+  for (const auto& [root, path] : paths) by_root[root].trajectory = path.ToTrajectory(smooth);
   std::vector<SubmapReport> submaps;
   size_t num_old = 0;
   for (auto& [root, submap] : by_root) {
@@ -102,7 +130,7 @@ size_t FrameLog::num_frames() const {
   return records_.size();
 }
 
-SlamReport FrameLog::Report(const Map& map, KeyframeId first_own) const {
+SlamReport FrameLog::Report(const Map& map, KeyframeId first_own, bool smooth) const {
   SlamReport report;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -110,7 +138,7 @@ SlamReport FrameLog::Report(const Map& map, KeyframeId first_own) const {
     report.stage_ms = stage_ms_;
     report.num_landmarks_gone = num_landmarks_gone_;
   }
-  report.submaps = SubmapsOf(report.frames, map, first_own);
+  report.submaps = SubmapsOf(report.frames, map, first_own, smooth);
   report.num_keyframes = map.num_keyframes();
   report.num_landmarks = map.num_landmarks();
   report.num_loops = map.num_loops();

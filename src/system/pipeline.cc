@@ -64,6 +64,7 @@ bool NeedsSecondLook(const FrameRecord& record, bool keeps_suspects) {
 
 Pipeline::Pipeline(const Config& config, const Rig& rig, SlamParts parts)
     : mode_(ModeOf(config)),
+      smooth_(config.smooth),
       parts_(std::move(parts)),
       builder_(FeaturesOf(config), rig),
       dynamics_(DynamicsOf(config)),

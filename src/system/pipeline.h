@@ -46,7 +46,7 @@ class Pipeline {
   Status Fault() const;
 
   MapSnapshot Snapshot() const { return view_.Get(); }
-  SlamReport Report() const { return log_.Report(*view_.Get(), first_own_); }
+  SlamReport Report() const { return log_.Report(*view_.Get(), first_own_, smooth_); }
   size_t num_frames_done() const { return log_.num_frames(); }
 
  private:
@@ -98,6 +98,7 @@ class Pipeline {
   void RunLooping();
 
   const Mode mode_;
+  const bool smooth_;  ///< the trajectory
   SlamParts parts_;
   FrameBuilder builder_;
   const Dynamics dynamics_;

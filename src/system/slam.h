@@ -30,7 +30,7 @@ using MapSnapshot = std::shared_ptr<const Map>;
 /// A part of the map with a world of its own.
 struct SubmapReport {
   KeyframeId root;        ///< not valid where nothing is known yet
-  Trajectory trajectory;  ///< confirmed frames, world_from_cam by the newest map
+  Trajectory trajectory;  ///< confirmed frames, world_from_cam by the newest map; see Config::smooth
   Trajectory keyframes;
 };
 

@@ -4,14 +4,10 @@
 
 #include <cmath>
 
+#include "geometry/usual_motion.h"
+
 namespace yorb {
 namespace {
-
-constexpr double kLongestPause = 0.3;  // seconds; a hand turns round in that time
-
-// Standard deviations, by axis. Of the true motions of six hand-held recordings they are 0.5 to 3.3 and 2.7 to 8.6.
-constexpr double kUsualAcceleration = 3;      // m/s^2
-constexpr double kUsualTurnAcceleration = 6;  // rad/s^2
 
 // Cameras that are carried, shaken by hand or driven stay below three quarters of these.
 constexpr double kMostAcceleration = 40;      // m/s^2

@@ -13,6 +13,8 @@
 namespace yorb {
 namespace {
 
+constexpr double kSure = 1e12;  // information of the pose that a world begins with
+
 constexpr size_t kMinInliersOfGuess = 10;  // that make a first pose worth refining on the local map
 
 size_t CountValid(const std::vector<LandmarkId>& matches) {
@@ -69,6 +71,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   was_lost_ = starts_over_ = false;
   sought_since_.reset();
   tracked.record.reference = first;
+  tracked.record.information = kSure * Matrix6d::Identity();
   tracked.record.num_matched = tracked.record.num_inliers = num_points;
   tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}};
   last_proposal_ = frame->timestamp;
@@ -111,6 +114,7 @@ Tracked Tracker::TrackInMap(const FramePtr& raw_frame, const Map& map, size_t ba
   if (!task_.only_locates) CountGone(*frame, map, *located);
   tracked.record.reference = last_.place.reference;
   tracked.record.cam_from_reference = last_.place.cam_from_reference;
+  tracked.record.information = fix.information;
   tracked.record.num_matched = static_cast<int>(fix.num_matched);
   tracked.record.num_inliers = static_cast<int>(fix.num_in_all());
   const KeyframeQuestion question{
@@ -125,6 +129,7 @@ Tracked Tracker::StandStill() {
   // One picture, one pose. Where the camera is by now nobody knows; the motion model starts anew after the pause.
   Tracked tracked;
   state_ = TrackingState::kTracking;
+  tracked.record.is_repeated = true;
   tracked.record.reference = last_.place.reference;
   tracked.record.cam_from_reference = last_.place.cam_from_reference;
   tracked.record.num_matched = tracked.record.num_inliers = static_cast<int>(CountValid(last_.matches));
