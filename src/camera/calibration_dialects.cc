@@ -75,15 +75,9 @@ Rig ReadMatrixCalibration(KeyReader& reader) {
     reader.Refuse("fisheye_model", std::string("is set: ") + kFishEye);
   }
   if (!table.Has(lens)) reader.RefuseFile("states no " + lens + " (an empty list where there is no distortion)");
-  const std::vector<double> k = reader.Numbers(matrix);
   Rig rig;
+  rig.camera = ReadMatrix(reader, matrix);
   Pinhole& camera = rig.camera;
-  if (k.size() != 9) {
-    reader.Refuse(matrix, "must hold the 9 numbers of a 3x3 matrix and holds " + std::to_string(k.size()));
-  } else {
-    camera.fx = k[0], camera.cx = k[2], camera.fy = k[4], camera.cy = k[5];
-    if (k[1] != 0 || k[3] != 0 || k[8] != 1) reader.Refuse(matrix, "must be [fx 0 cx; 0 fy cy; 0 0 1]");
-  }
   camera.width = reader.Pixels(table.FirstOf({"image_width", "image_Width", "width"}));
   camera.height = reader.Pixels(table.FirstOf({"image_height", "image_Height", "height"}));
   ReadDistortionList(reader, lens, "distortion_model", camera);

@@ -3,6 +3,7 @@
 #include "camera/dialect_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/text.h"
 
@@ -38,6 +39,22 @@ Pinhole ReadPinhole(KeyReader& reader, const PinholeKeys& keys) {
   camera.fy = reader.Number(keys.fy);
   camera.cx = reader.Number(keys.cx);
   camera.cy = reader.Number(keys.cy);
+  return camera;
+}
+
+Pinhole ReadMatrix(KeyReader& reader, const std::string& key) {
+  std::vector<double> k = reader.Numbers(key);
+  Pinhole camera;
+  if (k.size() != 9) {
+    reader.Refuse(key, "must hold the 9 numbers of a 3x3 matrix and holds " + std::to_string(k.size()));
+    return camera;
+  }
+  const bool goes_by_columns = k[2] == 0 && k[5] == 0;
+  if (goes_by_columns) std::swap(k[2], k[6]), std::swap(k[5], k[7]);
+  camera.fx = k[0], camera.cx = k[2], camera.fy = k[4], camera.cy = k[5];
+  if (k[1] != 0 || k[3] != 0 || k[6] != 0 || k[7] != 0 || k[8] != 1) {
+    reader.Refuse(key, "must be [fx 0 cx; 0 fy cy; 0 0 1], by rows or by columns");
+  }
   return camera;
 }
 

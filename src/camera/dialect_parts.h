@@ -36,6 +36,9 @@ struct PinholeKeys {
 /// The four numbers under their keys; the rest of the camera stays as it is made.
 Pinhole ReadPinhole(KeyReader& reader, const PinholeKeys& keys);
 
+/// The same from the nine numbers of a camera matrix, by rows or, as Open3D writes it, by columns.
+Pinhole ReadMatrix(KeyReader& reader, const std::string& key);
+
 /// Refuses focal lengths and principal points that no picture has.
 void CheckPinhole(KeyReader& reader, const Pinhole& camera, const PinholeKeys& keys);
 

@@ -41,18 +41,9 @@ bool IsOpen3d(const KeyTable& table) { return table.Has("intrinsic_matrix"); }
 
 Rig ReadOpen3d(KeyReader& reader) {
   const std::string key = "intrinsic_matrix";
-  const std::vector<double> k = reader.Numbers(key);
   Rig rig;
+  rig.camera = ReadMatrix(reader, key);
   Pinhole& camera = rig.camera;
-  if (k.size() != 9) {
-    reader.Refuse(key, "must hold the 9 numbers of a 3x3 matrix and holds " + std::to_string(k.size()));
-  } else {
-    const bool goes_by_columns = k[2] == 0 && k[5] == 0;  // Open3D's way; others write rows
-    camera.fx = k[0], camera.fy = k[4];
-    camera.cx = k[goes_by_columns ? 6 : 2], camera.cy = k[goes_by_columns ? 7 : 5];
-    const bool is_rest_zero = k[1] == 0 && k[3] == 0 && (goes_by_columns || (k[6] == 0 && k[7] == 0));
-    if (!is_rest_zero || k[8] != 1) reader.Refuse(key, "must be [fx, 0, 0, 0, fy, 0, cx, cy, 1]");
-  }
   camera.width = reader.Pixels("width");
   camera.height = reader.Pixels("height");
   CheckPinhole(reader, camera, {key, key, key, key});
