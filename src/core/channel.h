@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -13,7 +14,7 @@ namespace yorb {
 
 /// A stream between two stages. `Push` waits while the stream is full, `TryPush` and `PushNow` never wait (the return
 /// stream uses `PushNow`, so that no ring of stages can lock); `Pop` waits and gives nothing once the stream is
-/// closed and drained. Any thread may call anything.
+/// closed and drained, `PopWithin` after a while, too. Any thread may call anything.
 template <typename T>
 class Channel {
  public:
@@ -42,6 +43,13 @@ class Channel {
   std::optional<T> Pop() {
     std::unique_lock<std::mutex> lock(mutex_);
     ready_.wait(lock, [&] { return closed_ || !items_.empty(); });
+    return Take();
+  }
+
+  /// Waits for an item for so long at most.
+  std::optional<T> PopWithin(double seconds) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    ready_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return closed_ || !items_.empty(); });
     return Take();
   }
 

@@ -75,6 +75,20 @@ TEST(Channel, PopWaitsForAnItem) {
   EXPECT_EQ(pop.get(), 3);
 }
 
+TEST(Channel, PopWithinWaitsForAWhileOnly) {
+  Channel<int> channel(1);
+  EXPECT_EQ(channel.PopWithin(0.01), std::nullopt);
+  EXPECT_EQ(channel.PopWithin(-1), std::nullopt);
+  auto pop = std::async(std::launch::async, [&] { return channel.PopWithin(100); });
+  EXPECT_EQ(pop.wait_for(kAWhile), std::future_status::timeout);
+  EXPECT_TRUE(channel.Push(4));
+  EXPECT_EQ(pop.get(), 4);
+  auto in_vain = std::async(std::launch::async, [&] { return channel.PopWithin(100); });
+  EXPECT_EQ(in_vain.wait_for(kAWhile), std::future_status::timeout);
+  channel.Close();
+  EXPECT_EQ(in_vain.get(), std::nullopt);
+}
+
 TEST(Channel, CloseWakesAllWhoWait) {
   Channel<int> empty(1), full(1);
   EXPECT_TRUE(full.Push(1));

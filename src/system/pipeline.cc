@@ -173,16 +173,28 @@ Pipeline::Looked Pipeline::Await(const ImageSet& images, bool was_asked) {
   const Looked nobody{{false, {}}, images.timestamp, 0};
   if (!parts_.detector || (!was_asked && mode_ != Mode::kLive)) return nobody;
   if (mode_ == Mode::kInline) return Detect(images);
-  if (mode_ == Mode::kLive) return Newest(images.timestamp).value_or(nobody);
+  if (mode_ == Mode::kLive) return Newest(images.timestamp, was_asked).value_or(nobody);
   return looked_.Pop().value_or(nobody);
 }
 
-/// Live: the newest boxes that have come. Those that nobody follows from picture to picture count until there are
-/// others.
-std::optional<Pipeline::Looked> Pipeline::Newest(Timestamp now) {
+/// Live: the newest boxes that have come, or the picture's own, if they will be there before the next picture is due.
+/// Those that nobody follows from picture to picture count until there are others.
+std::optional<Pipeline::Looked> Pipeline::Newest(Timestamp now, bool was_asked) {
   constexpr double kLongestS = 0.5;
+  const Stopwatch watch;
+  const double due_s = last_taken_ ? SecondsBetween(*last_taken_, now) : kLongestS;
+  last_taken_ = now;
   std::optional<Looked> newest;
-  while (auto looked = looked_.TryPop()) newest = std::move(looked);
+  const auto take = [&](std::optional<Looked> looked) {
+    if (!looked) return false;
+    last_detect_s_ = 1e-3 * looked->detect_ms;
+    newest = std::move(looked);
+    return true;
+  };
+  while (take(looked_.TryPop())) continue;
+  const auto is_own = [&] { return newest && newest->at == now; };
+  const bool is_worth_it = was_asked && images_.Backlog() == 0 && last_detect_s_ < due_s;
+  while (is_worth_it && !is_own() && take(looked_.PopWithin(due_s - watch.seconds()))) continue;
   if (dynamics_ == Dynamics::kFull) return newest;
   if (newest) newest_ = newest;
   if (newest_ && SecondsBetween(newest_->at, now) > kLongestS) newest_.reset();

@@ -32,8 +32,8 @@ namespace yorb {
 ///                                                        loop
 ///
 /// Inline mode calls the same functions one after the other. Offline and live differ in the policy of the first stream
-/// and in the detector's: offline each frame that the detector looks at waits for its own boxes, live it takes the
-/// newest there are.
+/// and in the detector's: offline each frame that the detector looks at waits for its own boxes, live only until the
+/// next picture is due, or else takes the newest there are.
 class Pipeline {
  public:
   Pipeline(const Config& config, const Rig& rig, SlamParts parts);
@@ -79,7 +79,7 @@ class Pipeline {
   Looked Detect(const ImageSet& images);
   bool AskDetector(const ImageSet& images);
   Looked Await(const ImageSet& images, bool was_asked);
-  std::optional<Looked> Newest(Timestamp now);
+  std::optional<Looked> Newest(Timestamp now, bool was_asked);
   Extracted Extract(const ImageSet& images);
   Extracted Remove(const ImageSet& images, Features features, const Looked& looked);
   bool TrackAll(Extracted extracted, const std::function<bool(Proposal)>& give);
@@ -126,6 +126,8 @@ class Pipeline {
   uint32_t next_frame_;
   std::optional<Looked> newest_;         ///< live, where boxes are not followed: the newest
   std::optional<Timestamp> last_asked_;  ///< the newest picture that the detector was given
+  std::optional<Timestamp> last_taken_;  ///< live: the newest picture
+  double last_detect_s_ = 0;             ///< live: how long the detector took last
   std::vector<std::thread> threads_;
 };
 

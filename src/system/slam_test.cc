@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "core/random.h"
 #include "system/pipeline.h"
 
@@ -118,6 +121,32 @@ int LooksAt(int num_pictures, const Config& config) {
   pipeline.Finish();
   EXPECT_EQ(pipeline.num_frames_done(), static_cast<size_t>(num_pictures));
   return num_looks;
+}
+
+/// Takes its time to see one person.
+class SlowDetector : public Detector {
+ public:
+  Result<Detections> Detect(const ImageSet&) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return Detections{true, {{"person", 0.9, 20, 20, 80, 100}}};
+  }
+};
+
+TEST(LivePipeline, AFrameWaitsForItsBoxesWhileNoPictureWaitsForIt) {
+  Config config;
+  config.mode = "live";
+  SlamParts parts;
+  parts.detector = std::make_unique<SlowDetector>();
+  Pipeline pipeline(config, SmallRig(), std::move(parts));
+  constexpr size_t kPictures = 4;
+  for (size_t i = 0; i < kPictures; ++i) {
+    EXPECT_TRUE(pipeline.Push(Picture(static_cast<int>(12 * i))));  // 0.4 s later, when all is done
+    while (pipeline.num_frames_done() <= i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  pipeline.Finish();
+  const std::vector<FrameRecord> frames = pipeline.Report().frames;
+  ASSERT_EQ(frames.size(), kPictures);
+  for (const FrameRecord& frame : frames) EXPECT_EQ(frame.num_boxes - frame.num_bridged, 1) << frame.id.value();
 }
 
 TEST(Slam, TheNetworkIsSparedOnlyWhereItsBoxesAreFollowed) {
