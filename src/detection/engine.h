@@ -37,7 +37,8 @@ class Engine {
   virtual std::string name() const = 0;
 
   /// The graph's outputs in its order, for a picture of the input's size: CV_8UC3 in the order R, G, B, or CV_8UC1.
-  /// Pixels are handed to the network divided by 255. The views are valid until the next call.
+  /// Pixels are handed to the network divided by 255, where it does not do that itself. The views are valid until the
+  /// next call.
   virtual Result<std::vector<TensorView>> Run(const cv::Mat& picture) = 0;
 
   /// Promises that no more is read from the next run on; what is not read may hold anything then. Engines need not
@@ -49,6 +50,11 @@ class Engine {
 struct EngineInput {
   std::string path;  ///< of the network's file, for complaints
   int batch = 1, channels = 3, width = 0, height = 0;
+  bool are_bytes = false;         ///< pixels from 0 to 255: the network divides them itself
+  bool is_channels_last = false;  ///< (1, height, width, 3)
+
+  /// What pixels are multiplied by.
+  double scale() const { return are_bytes ? 1.0 : 1.0 / 255; }
 };
 
 /// Stands in the error of an engine where OpenCV would run the network and give other numbers than its file means.

@@ -22,8 +22,12 @@ class NetCompiler {
   }
 
   Status Compile(const EngineInput& input) {
-    net_.input =
-        net_.program.New({input.batch, input.channels, input.height, input.width}, NetLayout::kChannelsLast, false);
+    // Either way pixels lie next to their channels.
+    net_.input = input.is_channels_last ? net_.program.New({input.batch, input.height, input.width, input.channels},
+                                                           NetLayout::kDense, false)
+                                        : net_.program.New({input.batch, input.channels, input.height, input.width},
+                                                           NetLayout::kChannelsLast, false);
+    net_.input.is_whole = input.are_bytes;
     values_[model_.inputs.front().name] = net_.input;
     for (const OnnxTensor& tensor : model_.constants) {
       if (IsForConvolutions(tensor.name)) {
@@ -98,7 +102,7 @@ class NetCompiler {
     auto outputs = put_off_.count(&node) > 0 ? std::optional(PutOff(ready)) : Fused(ready);
     if (!outputs) {
       outputs = PictureOperator(ready);
-      for (const auto family : {AddShapeOperator, AddSelection, AddArithmetic}) {
+      for (const auto family : {AddShapeOperator, AddSelection, AddQuantised, AddArithmetic}) {
         if (outputs->ok() || !outputs->error().message.empty()) break;
         outputs = family(ready);
       }

@@ -68,11 +68,12 @@ using NetOutputs = Result<std::vector<NetValue>>;
 /// What an operator with one output gives.
 inline NetOutputs One(NetValue value) { return std::vector<NetValue>{std::move(value)}; }
 
-/// Adds the steps of one operator. The four families know which operators are theirs; the answer is an error without
+/// Adds the steps of one operator. The five families know which operators are theirs; the answer is an error without
 /// a message for those that are not.
 NetOutputs AddShapeOperator(const NetNode& node);    ///< Reshape, Transpose, Slice, Concat ...
 NetOutputs AddSelection(const NetNode& node);        ///< TopK, GatherElements, Tile, Gather by what is computed ...
 NetOutputs AddArithmetic(const NetNode& node);       ///< Add, Mul, Exp, Softmax, MatMul ...
+NetOutputs AddQuantised(const NetNode& node);        ///< QuantizeLinear, DequantizeLinear, ConvInteger ...
 NetOutputs AddPictureOperator(const NetNode& node);  ///< Conv, MaxPool, Resize ...: by XNNPACK where it has them
 
 /// Gets the kernels ready, as often as one likes; false on processors that they are not made for.

@@ -264,7 +264,9 @@ NetOutputs Constant(const NetNode& node) {
     const OnnxTensor& tensor = *value->tensor;
     const std::vector<float> numbers =
         tensor.is_whole ? std::vector<float>(tensor.ints.begin(), tensor.ints.end()) : tensor.floats;
-    return One(Known(node, tensor.dims, numbers, tensor.is_whole));
+    NetValue known = Known(node, tensor.dims, numbers, tensor.is_whole);
+    known.onnx_type = tensor.type;
+    return One(std::move(known));
   }
   if (const OnnxAttribute* number = node.node.Find("value_float")) return One(Known(node, {}, {number->number}, false));
   if (const OnnxAttribute* number = node.node.Find("value_int"))

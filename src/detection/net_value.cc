@@ -33,7 +33,7 @@ NetValue NewConstant(const std::vector<int64_t>& dims, NetLayout layout) {
 }
 
 NetValue Filled(NetValue value, const OnnxTensor& tensor) {
-  value.is_whole = tensor.is_whole;
+  value.is_whole = tensor.is_whole, value.onnx_type = tensor.type;
   if (tensor.is_whole) {
     std::transform(tensor.ints.begin(), tensor.ints.end(), value.data.get(),
                    [](int64_t number) { return static_cast<float>(number); });

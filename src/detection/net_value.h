@@ -21,6 +21,7 @@ struct NetValue {
   std::shared_ptr<float> data;         ///< keeps its buffer from being used again while the network is compiled
   bool is_constant = false;            ///< known when the network is compiled
   bool is_whole = false;               ///< whole numbers: shapes and indices, kept as floats
+  int onnx_type = 0;  ///< of a constant, as the file has it: how far zero points of quantised numbers reach
 
   int64_t size() const;
   size_t rank() const { return dims.size(); }

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "detection/class_names.h"
 #include "detection/head_layout.h"
+#include "detection/own_suppression.h"
 
 namespace yorb {
 namespace {
@@ -32,16 +33,24 @@ Error NoPictures(const OnnxValue& input, const std::string& wanted) {
   return BadInput("has the input " + input.name + " of shape " + ShapeText(input.dims) + "; " + wanted);
 }
 
-Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
+/// Whether the one input may be a picture, of whatever size.
+Status CheckInputs(const OnnxModel& model) {
   if (model.inputs.size() != 1)
     return BadInput("has " + std::to_string(model.inputs.size()) + " inputs, a detector has one: the picture");
   const OnnxValue& value = model.inputs.front();
   if (value.dims.size() != 4) return NoPictures(value, "(1, 3, height, width) is expected");
-  if (value.type != kOnnxFloat && value.type != kOnnxFloat16)
-    return NoPictures(value, "it is not of floats; export it with floats for input");
-  if (value.dims[3] == 3 && value.dims[1] != 3 && value.dims[1] != 1)
-    return NoPictures(value, "its channels stand last; export it with (1, 3, height, width)");
-  const int64_t channels = value.dims[1] < 0 ? 3 : value.dims[1];
+  const bool is_of_floats = value.type == kOnnxFloat || value.type == kOnnxFloat16 || value.type == kOnnxDouble;
+  if (is_of_floats || value.type == kOnnxUint8) return Status::Ok();
+  return NoPictures(value, "it is neither of floats nor of bytes (uint8); export it with floats for input");
+}
+
+Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
+  if (const Status fine = CheckInputs(model); !fine) return fine.error();
+  const OnnxValue& value = model.inputs.front();
+  std::vector<int64_t> dims = value.dims;
+  const bool is_channels_last = dims[3] == 3 && dims[1] != 3 && dims[1] != 1;
+  if (is_channels_last) std::rotate(dims.begin() + 1, dims.begin() + 3, dims.end());
+  const int64_t channels = dims[1] < 0 ? 3 : dims[1];
   if (channels != 3 && channels != 1)
     return NoPictures(value, "(1, 3, height, width) is expected: red, green, blue before height and width");
   // Another size than the file's is tried: networks of convolutions alone do not mind, others fail when they are set
@@ -53,8 +62,9 @@ Result<EngineInput> InputOf(const OnnxModel& model, const cv::Size& size) {
   EngineInput input;
   input.batch = static_cast<int>(std::clamp<int64_t>(value.dims[0], 1, 64));
   input.channels = static_cast<int>(channels);
-  input.height = sized(value.dims[2], open.height);
-  input.width = sized(value.dims[3], open.width);
+  input.are_bytes = value.type == kOnnxUint8, input.is_channels_last = is_channels_last;
+  input.height = sized(dims[2], open.height);
+  input.width = sized(dims[3], open.width);
   const bool is_bearable = input.width <= kLargestSize && input.height <= kLargestSize;
   if (!is_bearable || input.width % kCellSize != 0 || input.height % kCellSize != 0 ||
       input.batch != std::max<int64_t>(value.dims[0], 1))
@@ -156,6 +166,8 @@ Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {
   network.task = Metadata(*model, "task").substr(0, 20);
   network.num_keypoint_values = KeypointValues(*model);
   network.model = *std::move(model);
+  network.model.inputs.front().type = kOnnxFloat;  // as all engines are handed it
+  LeaveOutOwnSuppression(network);
   return network;
 }
 

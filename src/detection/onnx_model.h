@@ -16,6 +16,9 @@ namespace yorb {
 enum OnnxType : int {
   kOnnxFloat = 1,
   kOnnxUint8 = 2,
+  kOnnxInt8 = 3,
+  kOnnxUint16 = 4,
+  kOnnxInt16 = 5,
   kOnnxInt64 = 7,
   kOnnxBool = 9,
   kOnnxFloat16 = 10,
@@ -27,6 +30,7 @@ struct OnnxTensor {
   std::string name;
   std::vector<int64_t> dims;  ///< none: a single number
   bool is_whole = false;      ///< its numbers stand in `ints`, else in `floats`
+  int type = 0;               ///< as the file has it; 0: not said
   std::vector<float> floats;
   std::vector<int64_t> ints;
 

@@ -263,6 +263,7 @@ Result<OnnxTensor> ParseOnnxTensor(std::string_view message, const std::string& 
     return BadInput("holds numbers of a type that is not read (" + std::to_string(raw->type) +
                     " of ONNX); export it with weights of 32 or 16 bits");
   raw->tensor.is_whole = IsWhole(raw->type);
+  raw->tensor.type = static_cast<int>(raw->type);
   if (raw->is_external) {
     const auto bytes = ReadExternal(*raw, folder);
     if (!bytes) return bytes.error();

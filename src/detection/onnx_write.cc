@@ -45,8 +45,14 @@ std::string_view RawOf(const std::vector<T>& values) {
 std::string TensorBytes(const OnnxTensor& tensor) {
   ProtoWriter writer;
   for (const int64_t dim : tensor.dims) writer.Integer(1, dim);
-  writer.Integer(2, tensor.is_whole ? kOnnxInt64 : kOnnxFloat);
+  const bool is_short = tensor.is_whole && (tensor.type == kOnnxUint8 || tensor.type == kOnnxInt8);
+  writer.Integer(2, is_short ? tensor.type : tensor.is_whole ? kOnnxInt64 : kOnnxFloat);
   writer.Bytes(8, tensor.name);
+  if (is_short) {  // quantised numbers: their type says how far they reach
+    const std::string bytes(tensor.ints.begin(), tensor.ints.end());
+    writer.Bytes(9, bytes);
+    return writer.bytes();
+  }
   writer.Bytes(9, tensor.is_whole ? RawOf(tensor.ints) : RawOf(tensor.floats));
   return writer.bytes();
 }
@@ -89,7 +95,7 @@ std::string ValueBytes(const OnnxValue& value) {
     shape.Bytes(1, dim.bytes());
   }
   ProtoWriter tensor, type, writer;
-  tensor.Integer(1, kOnnxFloat);
+  tensor.Integer(1, value.type == kOnnxUint8 ? kOnnxUint8 : kOnnxFloat);
   if (value.has_shape) tensor.Bytes(2, shape.bytes());
   type.Bytes(1, tensor.bytes());
   writer.Bytes(1, value.name);

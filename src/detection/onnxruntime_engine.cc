@@ -5,6 +5,7 @@
 #if defined(YORB_HAS_ONNXRUNTIME)
 #include <onnxruntime_cxx_api.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -35,15 +36,20 @@ class OnnxRuntimeEngine : public Engine {
 
  private:
   std::vector<TensorView> RunOrThrow(const cv::Mat& picture) {
-    const std::vector<int64_t> dims{input_.batch, input_.channels, input_.height, input_.width};
+    std::vector<int64_t> dims{input_.batch, input_.channels, input_.height, input_.width};
+    if (input_.is_channels_last) std::rotate(dims.begin() + 1, dims.begin() + 2, dims.end());
     const size_t plane = static_cast<size_t>(input_.width) * static_cast<size_t>(input_.height);
     numbers_.assign(plane * static_cast<size_t>(input_.batch * input_.channels), 0.f);
     std::vector<cv::Mat> planes;  // of several pictures that a file wants the first counts
     for (int channel = 0; channel < input_.channels; ++channel)
       planes.emplace_back(picture.size(), CV_32FC1, numbers_.data() + static_cast<size_t>(channel) * plane);
     cv::Mat floats;
-    picture.convertTo(floats, CV_32F, 1.0 / 255);
-    cv::split(floats, planes);
+    picture.convertTo(floats, CV_32F, input_.scale());
+    if (input_.is_channels_last) {
+      floats.copyTo(cv::Mat(picture.size(), CV_32FC(input_.channels), numbers_.data()));
+    } else {
+      cv::split(floats, planes);
+    }
     const auto memory = Ort::MemoryInfo::CreateCpu(OrtDeviceAllocator, OrtMemTypeDefault);
     const Ort::Value value =
         Ort::Value::CreateTensor<float>(memory, numbers_.data(), numbers_.size(), dims.data(), dims.size());

@@ -88,9 +88,9 @@ class OpenCvEngine : public Engine {
   void Forward(const cv::Mat& picture) {
     cv::Mat blob;
     if (input_.batch == 1) {
-      cv::dnn::blobFromImage(picture, blob, 1.0 / 255);
+      cv::dnn::blobFromImage(picture, blob, input_.scale());
     } else {  // the file wants several pictures: the first counts
-      cv::dnn::blobFromImages(std::vector<cv::Mat>(static_cast<size_t>(input_.batch), picture), blob, 1.0 / 255);
+      cv::dnn::blobFromImages(std::vector<cv::Mat>(static_cast<size_t>(input_.batch), picture), blob, input_.scale());
     }
     net_.setInput(blob);
     results_.clear();
@@ -114,6 +114,11 @@ std::vector<int64_t> DenseStrides(const std::vector<int64_t>& dims) {
 
 Result<std::unique_ptr<Engine>> MakeOpenCvEngine(const OnnxModel& model, const EngineInput& input,
                                                  const std::string& because) {
+  if (input.is_channels_last) {
+    return BadInput(input.path + " cannot be run by " +
+                    (because.empty() ? "" : "XNNPACK, for its " + because + ", nor by ") +
+                    "OpenCV DNN, for the channels of its input stand last; export it with (1, 3, height, width)");
+  }
   if (const Status fine = Misread(input.path, MisreadingInFile(model)); !fine) return fine.error();
   const std::string bytes = OnnxBytes(model);
   try {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/result.h"
+
 namespace yorb {
 
 /// One field of a protocol buffer message, as the wire has it.

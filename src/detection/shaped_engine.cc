@@ -10,6 +10,17 @@
 
 namespace yorb {
 
+Result<std::vector<TensorView>> RunOn(Engine& engine, const cv::Mat& picture) {
+  auto outputs = engine.Run(picture);
+  if (!outputs) return outputs;
+  for (TensorView& view : *outputs) {
+    if (view.dims.size() != 2 || view.dims[0] == 1) continue;
+    view.dims.insert(view.dims.begin(), 1);
+    view.strides.insert(view.strides.begin(), 0);
+  }
+  return outputs;
+}
+
 HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network) {
   HeadFacts facts;
   for (const TensorView& output : outputs) facts.shapes.push_back(output.dims);
@@ -30,7 +41,7 @@ Result<ShapedEngine> MakeShapedEngine(const Network& network, const DetectionOpt
   // A picture of nothing: only a run shows all shapes, and engines set themselves up in the first one.
   const cv::Mat blank(network.input.height, network.input.width, network.input.channels == 1 ? CV_8UC1 : CV_8UC3,
                       cv::Scalar::all(114));
-  auto outputs = (*engine)->Run(blank);
+  auto outputs = RunOn(**engine, blank);
   if (!outputs) return outputs.error();
   const auto layout = RecogniseLayout(FactsOf(*outputs, network));
   if (!layout) return BadInput(network.input.path + " " + layout.error().message);

@@ -27,6 +27,9 @@ struct ShapedEngine {
 /// Chooses an engine for the network at the size of its input and recognises the layout. Bad input names the file.
 Result<ShapedEngine> MakeShapedEngine(const Network& network, const DetectionOptions& options);
 
+/// Runs an engine; an output without an axis for the pictures, (K, 6), is given with one.
+Result<std::vector<TensorView>> RunOn(Engine& engine, const cv::Mat& picture);
+
 /// What the outputs of an engine say of themselves.
 HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network);
 

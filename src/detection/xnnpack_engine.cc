@@ -31,7 +31,7 @@ class XnnpackEngine : public Engine {
     for (int image = 0; image < input_.batch; ++image) {
       float* to = net_.input.data.get() + image * net_.input.strides[0];
       cv::Mat floats(picture.size(), CV_32FC(picture.channels()), to);
-      picture.convertTo(floats, CV_32F, 1.0 / 255);
+      picture.convertTo(floats, CV_32F, input_.scale());
     }
     net_.program.Run();
     std::vector<TensorView> views;

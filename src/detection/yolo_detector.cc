@@ -220,7 +220,7 @@ Result<std::vector<RawBox>> YoloDetector::Decode(const std::vector<TensorView>& 
 Result<std::vector<Box>> YoloDetector::Look(const ImageSet& images, ShapedEngine& shaped) {
   const auto& [input, engine, layout, blank_outputs] = shaped;
   const Letterbox fit = FitLetterbox(images.grey.size(), shaped.size());
-  const auto outputs = engine->Run(InputOf(images, fit, input.channels));
+  const auto outputs = RunOn(*engine, InputOf(images, fit, input.channels));
   if (!outputs) return outputs.error();
   if (layout.kind == LayoutKind::kCornerRows && !HaveClassNumbers((*outputs)[layout.output]))
     return BadInput(input.path + " is no detector that is read: the last numbers of its rows, " +

@@ -310,9 +310,9 @@ TEST(YoloDetector, WhatIsNoDetectorIsRefusedByNameBeforeItRuns) {
   EXPECT_THAT(complaint(classifier.Bytes()), testing::AllOf(HasSubstr("bad.onnx"), HasSubstr("(1, 3)")));
   TestNetwork odd = TwoColourNetwork();
   odd.model.inputs[0].dims = {1, 64, 64, 3};
-  EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("bad.onnx"), HasSubstr("(1, 64, 64, 3)")));
-  odd.model.inputs[0].dims = {-1, -1, -1, 3};
-  EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("(?, ?, ?, 3)"), HasSubstr("channels stand last")));
+  EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("bad.onnx"), HasSubstr("its input stand last")));
+  odd.model.inputs[0].dims = {1, 64, 64, 5};
+  EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("bad.onnx"), HasSubstr("(1, 64, 64, 5)")));
   odd.model.inputs[0].dims = {1, 3, 64, 50};
   EXPECT_THAT(complaint(odd.Bytes()), testing::AllOf(HasSubstr("multiples of 32"), HasSubstr("not 50x64")));
   TestNetwork named = TwoColourNetwork();
