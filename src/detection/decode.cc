@@ -44,7 +44,7 @@ struct Decoded {
 
 float Sigmoid(float x) { return 1.f / (1.f + std::exp(-x)); }
 
-/// Where the class scores of one box lie.
+/// Where the numbers of one box lie, or its class scores.
 struct Scores {
   const float* first;
   int64_t step;
@@ -59,6 +59,16 @@ RawBox FromCentre(float x, float y, float width, float height) {
 
 bool IsSound(const RawBox& box) {
   return std::isfinite(box.left) && std::isfinite(box.top) && std::isfinite(box.right) && std::isfinite(box.bottom);
+}
+
+/// A box from its four numbers, in the layout's form.
+RawBox BoxOf(const Scores& numbers, const HeadLayout& layout, size_t row) {
+  const float x = numbers[0], y = numbers[1], width = numbers[2], height = numbers[3];
+  if (layout.form == BoxForm::kCorners) return {x, y, width, height, 0, 0};
+  if (layout.form == BoxForm::kCentre) return FromCentre(x, y, width, height);
+  const HeadCell& cell = layout.cells[row];
+  return FromCentre((x + cell.column) * cell.stride, (y + cell.row) * cell.stride, std::exp(width) * cell.stride,
+                    std::exp(height) * cell.stride);
 }
 
 /// Adds a box for the best class, or for every class, whose score times `factor` reaches the confidence.
@@ -82,7 +92,7 @@ void AddClasses(RawBox box, int num_classes, const DecodeOptions& options, const
 
 /// Rows or columns of centre, size, objectness where there is one, classes.
 void DecodeCentres(const TensorView& output, const HeadLayout& layout, const DecodeOptions& options, Decoded& found) {
-  const bool has_objectness = layout.kind == LayoutKind::kAnchorRows;
+  const bool has_objectness = layout.kind == LayoutKind::kAnchorRows || layout.kind == LayoutKind::kCellRows;
   const size_t box_axis = layout.kind == LayoutKind::kCentreColumns ? 2 : 1;
   const int64_t count = output.dims[box_axis];
   const int64_t step = output.strides[box_axis], value_step = output.strides[3 - box_axis];
@@ -91,7 +101,7 @@ void DecodeCentres(const TensorView& output, const HeadLayout& layout, const Dec
     const float objectness = has_objectness ? at[kObjectness * value_step] : 1.f;
     found.scores.See(objectness);
     if (!(objectness >= static_cast<float>(options.confidence))) continue;
-    const RawBox box = FromCentre(at[0], at[value_step], at[2 * value_step], at[3 * value_step]);
+    const RawBox box = BoxOf({at, value_step, 4}, layout, static_cast<size_t>(i));
     const Scores scores{at + (has_objectness ? 5 : 4) * value_step, value_step, layout.num_classes};
     if (!IsSound(box)) {
       found.scores.See(scores[0]);
@@ -99,6 +109,22 @@ void DecodeCentres(const TensorView& output, const HeadLayout& layout, const Dec
     }
     AddClasses(
         box, layout.num_classes, options, [&](int label) { return scores[label] * objectness; }, found);
+  }
+}
+
+/// Boxes in one output, scores in another.
+void DecodeApart(const std::vector<TensorView>& outputs, const HeadLayout& layout, const DecodeOptions& options,
+                 Decoded& found) {
+  const TensorView &boxes = outputs[layout.output], &scores = outputs[layout.scores];
+  const bool are_rows = boxes.dims[2] == 4 && boxes.dims[1] == scores.dims[1];
+  const size_t row_axis = are_rows ? 1 : 2, value_axis = 3 - row_axis;
+  for (int64_t i = 0; i < boxes.dims[row_axis]; ++i) {
+    const RawBox box =
+        BoxOf({boxes.data + i * boxes.strides[row_axis], boxes.strides[value_axis], 4}, layout, static_cast<size_t>(i));
+    const Scores classes{scores.data + i * scores.strides[row_axis], scores.strides[value_axis], layout.num_classes};
+    if (!IsSound(box)) continue;
+    AddClasses(
+        box, layout.num_classes, options, [&](int label) { return classes[label]; }, found);
   }
 }
 
@@ -193,7 +219,11 @@ Result<std::vector<RawBox>> DecodeBoxes(const std::vector<TensorView>& outputs, 
     case LayoutKind::kAnchorRows:
     case LayoutKind::kCentreColumns:
     case LayoutKind::kCentreRows:
+    case LayoutKind::kCellRows:
       DecodeCentres(outputs[layout.output], layout, options, found);
+      break;
+    case LayoutKind::kBoxesApart:
+      DecodeApart(outputs, layout, options, found);
       break;
     case LayoutKind::kCornerRows:
       DecodeCorners(outputs[layout.output], layout, options, found);

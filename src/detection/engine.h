@@ -36,7 +36,8 @@ class Engine {
   /// "OpenCV DNN", "XNNPACK", "ONNX Runtime": for messages.
   virtual std::string name() const = 0;
 
-  /// The graph's outputs in its order, for a picture of the input's size: CV_8UC3 in the order R, G, B, or CV_8UC1.
+  /// The graph's outputs in its order, for a picture of the input's size: CV_8UC3 in the order that the network wants,
+  /// R, G, B nearly always, or CV_8UC1.
   /// Pixels are handed to the network divided by 255, where it does not do that itself. The views are valid until the
   /// next call.
   virtual Result<std::vector<TensorView>> Run(const cv::Mat& picture) = 0;
@@ -52,6 +53,7 @@ struct EngineInput {
   int batch = 1, channels = 3, width = 0, height = 0;
   bool are_bytes = false;         ///< pixels from 0 to 255: the network divides them itself
   bool is_channels_last = false;  ///< (1, height, width, 3)
+  bool is_bgr = false;            ///< the colours are in the order B, G, R
 
   /// What pixels are multiplied by.
   double scale() const { return are_bytes ? 1.0 : 1.0 / 255; }

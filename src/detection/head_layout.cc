@@ -16,12 +16,15 @@ const std::vector<std::vector<int>>& StrideSets() {
   return sets;
 }
 
+int64_t NumCells(const std::vector<int>& strides, const HeadFacts& facts) {
+  int64_t cells = 0;
+  for (const int stride : strides) cells += int64_t{facts.width / stride} * (facts.height / stride);
+  return cells;
+}
+
 bool IsNumberOfCells(int64_t count, const HeadFacts& facts) {
-  return std::any_of(StrideSets().begin(), StrideSets().end(), [&](const std::vector<int>& strides) {
-    int64_t cells = 0;
-    for (const int stride : strides) cells += int64_t{facts.width / stride} * (facts.height / stride);
-    return cells == count;
-  });
+  return std::any_of(StrideSets().begin(), StrideSets().end(),
+                     [&](const std::vector<int>& strides) { return NumCells(strides, facts) == count; });
 }
 
 /// Rows of six that are no end-to-end rows: one class and objectness, a row a cell (YOLOv6, YOLOX), or YOLOv8's two
@@ -39,21 +42,29 @@ int64_t NumExtras(const HeadFacts& facts) {
   return facts.num_keypoint_values;
 }
 
-/// Whether another output holds the boxes of this one's rows or columns: those of YOLO-NAS, and of exports whose parts
+/// Which other output holds the boxes of this one's rows or columns: those of YOLO-NAS, and of exports whose parts
 /// stand apart. Read alone, the scores would pass for boxes.
-bool HasBoxesApart(size_t output, const HeadFacts& facts) {
+std::optional<size_t> BoxesApart(size_t output, const HeadFacts& facts) {
   const Shape& scores = facts.shapes[output];
   for (size_t i = 0; i < facts.shapes.size() && scores.size() == 3; ++i) {
     Shape boxes = facts.shapes[i];
     if (boxes.size() == 4 && boxes[2] == 1) boxes.erase(boxes.begin() + 2);
     if (i == output || boxes.size() != 3) continue;
-    if ((boxes[2] == 4 && boxes[1] == scores[1]) || (boxes[1] == 4 && boxes[2] == scores[2])) return true;
+    if ((boxes[2] == 4 && boxes[1] == scores[1]) || (boxes[1] == 4 && boxes[2] == scores[2])) return i;
   }
-  return false;
+  return std::nullopt;
 }
+
+bool HasBoxesApart(size_t output, const HeadFacts& facts) { return BoxesApart(output, facts).has_value(); }
 
 bool AgreesWithNames(int64_t num_classes, const HeadFacts& facts) {
   return num_classes > 0 && (facts.num_names == 0 || facts.num_names == num_classes);
+}
+
+/// Whether it is that of the names, or without names COCO's.
+bool IsNumberOfClasses(int64_t count, const HeadFacts& facts) {
+  constexpr int kCoco = 80;
+  return count == (facts.num_names > 0 ? facts.num_names : kCoco);
 }
 
 /// The layout of one output that holds all boxes.
@@ -71,15 +82,42 @@ std::optional<HeadLayout> FromRows(size_t output, const HeadFacts& facts) {
   const bool has_anchors = shape[1] % kAnchors == 0 && IsNumberOfCells(shape[1] / kAnchors, facts);
   if (has_anchors && AgreesWithNames(shape[2] - 5 - extras, facts))
     return take(LayoutKind::kAnchorRows, shape[2] - 5 - extras);
+  // Of (1, 84, 85), YOLOX's for 64x64, both might be cells; those of three strides are the likelier ones.
+  const bool is_known_behind_objectness = shape[2] - 5 - extras > 1 && IsNumberOfClasses(shape[2] - 5 - extras, facts);
+  const auto is_usual = [&](int64_t count) { return count == NumCells(StrideSets()[0], facts); };
+  if (is_known_behind_objectness && is_usual(shape[1]) && !is_usual(shape[2]))
+    return take(LayoutKind::kCellRows, shape[2] - 5 - extras);
   if (IsNumberOfCells(shape[2], facts) && AgreesWithNames(shape[1] - 4 - extras, facts))
     return take(LayoutKind::kCentreColumns, shape[1] - 4 - extras);
   // Turned round only where names say so, and not for two classes, whose rows could be end-to-end ones.
   const bool are_cells = IsNumberOfCells(shape[1], facts);
   if (are_cells && facts.num_names > 0 && facts.num_names != 2 && facts.num_names == shape[2] - 4 - extras)
     return take(LayoutKind::kCentreRows, facts.num_names);
+  if (is_known_behind_objectness && are_cells) return take(LayoutKind::kCellRows, shape[2] - 5 - extras);
   layout.has_all_rows = are_cells || has_anchors;
   if (shape[2] == 6 + extras && !AreSixOfAnotherNetwork(shape[1], facts))
     return take(LayoutKind::kCornerRows, facts.num_names);
+  return std::nullopt;
+}
+
+/// Boxes of all cells in one output and their scores in another, without a third that might be their objectness.
+std::optional<HeadLayout> FromPair(const HeadFacts& facts) {
+  for (size_t i = 0; i < facts.shapes.size(); ++i) {
+    const auto boxes = BoxesApart(i, facts);
+    if (!boxes || facts.shapes[*boxes].size() != 3) continue;
+    const Shape &scores = facts.shapes[i], &shape = facts.shapes[*boxes];
+    const size_t value_axis = shape[2] == 4 && shape[1] == scores[1] ? 2 : 1;
+    const auto num_of_rank_3 =
+        std::count_if(facts.shapes.begin(), facts.shapes.end(), [](const Shape& other) { return other.size() == 3; });
+    if (num_of_rank_3 != 2 || !AgreesWithNames(scores[value_axis], facts) ||
+        CellsOfRows(shape[3 - value_axis], facts).empty())
+      continue;
+    HeadLayout layout;
+    layout.kind = LayoutKind::kBoxesApart;
+    layout.output = *boxes, layout.scores = i;
+    layout.num_classes = static_cast<int>(scores[value_axis]);
+    return layout;
+  }
   return std::nullopt;
 }
 
@@ -146,6 +184,7 @@ std::optional<HeadLayout> FindLayout(const HeadFacts& facts) {
   for (size_t i = 0; i < facts.shapes.size(); ++i) {
     if (const auto layout = FromRows(i, facts)) return layout;
   }
+  if (const auto layout = FromPair(facts)) return layout;
   for (const bool are_values_last : {true, false}) {
     if (const auto layout = FromMaps(facts, are_values_last)) return layout;
   }
@@ -162,6 +201,11 @@ std::string RemedyFor(const HeadFacts& facts) {
   for (size_t i = 0; i < facts.shapes.size(); ++i) {
     if (HasBoxesApart(i, facts)) return "; its boxes and scores stand apart: export it with both in one output";
   }
+  const bool has_cells =
+      !facts.shapes.empty() && facts.shapes[0].size() == 3 && IsNumberOfCells(facts.shapes[0][1], facts);
+  if (has_cells && facts.num_names == 0)
+    return "; write the class names, a line each, into a file beside it that has its name and .names behind: they tell "
+           "YOLOX's rows from YOLOv8's turned round";
   const auto map = facts.shapes.size() < 3 ? std::nullopt : MapOf(0, facts, true);
   if (map && MayBeWithoutAnchors(*map, facts) && NumValues(*map, facts) > 5)
     return "; YOLOv8's own raw maps are not: export it with decoded boxes, or, if these are YOLOv5's, write the class "
@@ -182,6 +226,23 @@ std::optional<Error> MisfitOfNames(const HeadFacts& facts, const std::string& sh
 }
 
 }  // namespace
+
+std::vector<HeadCell> CellsOfRows(int64_t num_rows, const HeadFacts& facts) {
+  std::vector<HeadCell> cells;
+  for (const std::vector<int>& strides : StrideSets()) {
+    const int64_t count = NumCells(strides, facts);
+    const bool has_anchors = num_rows == kAnchors * count;
+    if (count == 0 || (num_rows != count && !has_anchors)) continue;
+    for (const int stride : strides) {
+      const int width = facts.width / stride, size = width * (facts.height / stride);
+      for (int i = 0; i < size * (has_anchors ? kAnchors : 1); ++i)
+        cells.push_back(
+            {static_cast<float>(i % size % width), static_cast<float>(i % size / width), static_cast<float>(stride)});
+    }
+    return cells;
+  }
+  return cells;
+}
 
 std::string ShapeText(const Shape& dims) {
   std::string text = "(";
@@ -214,6 +275,10 @@ std::string LayoutText(const HeadLayout& layout, const HeadFacts& facts) {
       return "YOLOv8 columns " + shape(layout.output);
     case LayoutKind::kCentreRows:
       return "YOLOv8 rows " + shape(layout.output);
+    case LayoutKind::kCellRows:
+      return (layout.form == BoxForm::kRelative ? "YOLOX rows " : "rows of all cells ") + shape(layout.output);
+    case LayoutKind::kBoxesApart:
+      return "boxes " + shape(layout.output) + " and scores " + shape(layout.scores);
     case LayoutKind::kCornerRows:
       return "end-to-end rows " + shape(layout.output);
     case LayoutKind::kRawMaps:

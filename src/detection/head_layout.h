@@ -17,8 +17,22 @@ enum class LayoutKind {
   kAnchorRows,     ///< YOLOv5: (1, N, 5+C), N three times the cells: centre, size, objectness, classes
   kCentreColumns,  ///< YOLOv8 and 11: (1, 4+C, N), N the cells: centre, size, classes
   kCentreRows,     ///< the same turned round: (1, N, 4+C)
+  kCellRows,       ///< YOLOX and YOLOv6: (1, N, 5+C), N the cells: box, objectness, classes
+  kBoxesApart,     ///< YOLO-NAS: (1, N, 4) and, in an output of their own, the scores, (1, N, C); or both turned round
   kCornerRows,     ///< end to end: (1, K, 6): corners, confidence, class number; doubles are mostly gone already
   kRawMaps,        ///< a map a stride, (1, 3 (5+C), h, w) or with an axis for the anchors, not yet decoded
+};
+
+/// What the four numbers of a box are.
+enum class BoxForm {
+  kCentre,    ///< centre and size, px of the input
+  kCorners,   ///< left, top, right, bottom, px of the input
+  kRelative,  ///< YOLOX: the centre from the corner of its cell and the logarithm of the size, both in cells
+};
+
+/// Where a row's cell lies.
+struct HeadCell {
+  float column = 0, row = 0, stride = 0;
 };
 
 /// One raw map, and the steps between its numbers' axes.
@@ -36,6 +50,9 @@ struct HeadLayout {
   size_t output = 0;          ///< the one that holds the boxes; not for raw maps
   bool has_all_rows = false;  ///< corner rows, one a cell: nothing was chosen among them, and doubles are there
   std::vector<RawMap> maps;   ///< by rising stride
+  size_t scores = 0;          ///< the output that holds them where they stand apart from the boxes
+  BoxForm form = BoxForm::kCentre;
+  std::vector<HeadCell> cells;  ///< of each row, where boxes are relative to them
 };
 
 /// The outputs' shapes, and what helps to tell layouts of the same shape from each other.
@@ -48,6 +65,10 @@ struct HeadFacts {
   std::string names_file;       ///< where the names stand in a file beside the network's
   std::string task;             ///< what the file says that the network is for: "detect", "obb", "classify"
 };
+
+/// The cells of so many rows, or of three times as many, in the order of the rows; none where the number fits no
+/// strides.
+std::vector<HeadCell> CellsOfRows(int64_t num_rows, const HeadFacts& facts);
 
 /// "(1, 84, 8400)".
 std::string ShapeText(const std::vector<int64_t>& dims);

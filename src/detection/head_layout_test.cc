@@ -51,6 +51,29 @@ TEST(HeadLayout, SixColumnsAreOneClassOrEndToEnd) {
   ExpectLayout(Facts({{1, 6, 84}}, 2), LayoutKind::kCentreColumns, 2);
 }
 
+TEST(HeadLayout, RowsOfAllCellsWithObjectnessAreToldByTheNumberOfClasses) {
+  ExpectLayout(Facts({{1, 8400, 85}}, 0, 640, 640), LayoutKind::kCellRows, 80);
+  ExpectLayout(Facts({{1, 8400, 8}}, 3, 640, 640), LayoutKind::kCellRows, 3);
+  ExpectLayout(Facts({{1, 84, 85}}, 80), LayoutKind::kCellRows, 80);  // 85 are cells, too, of four strides
+  ExpectLayout(Facts({{1, 84, 85}}, 0), LayoutKind::kCellRows, 80);
+  ExpectLayout(Facts({{1, 84, 84}}, 79), LayoutKind::kCellRows, 79);
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 8400, 8}}, 0, 640, 640))) << "three classes, or YOLOv8's four";
+  const auto cells = CellsOfRows(252, Facts({}, 0));
+  ASSERT_EQ(cells.size(), 252u);
+  EXPECT_EQ(cells[65].column, 1);  // the second anchor's
+  EXPECT_EQ(cells[200].stride, 16);
+  EXPECT_TRUE(CellsOfRows(253, Facts({}, 0)).empty());
+}
+
+TEST(HeadLayout, BoxesApartAreFoundBesideTheirScores) {
+  ExpectLayout(Facts({{1, 84, 4}, {1, 84, 80}}, 0), LayoutKind::kBoxesApart, 80);
+  ExpectLayout(Facts({{1, 3, 84}, {1, 4, 84}}, 3), LayoutKind::kBoxesApart, 3);
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 300, 4}, {1, 300, 80}}, 80))) << "no cells: RT-DETR's, fractions";
+  ExpectLayout(Facts({{1, 84, 4}, {1, 84, 7}}, 0), LayoutKind::kBoxesApart, 7);
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 4}, {1, 84, 1}, {1, 84, 7}}, 7))) << "objectness stands apart, too";
+  EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 4}, {1, 84, 7}}, 8)));
+}
+
 TEST(HeadLayout, RawMapsMayStandInAnyOrderAndHaveAnAxisForTheAnchors) {
   ExpectLayout(Facts({{1, 21, 2, 2}, {1, 21, 8, 8}, {1, 21, 4, 4}}, 2), LayoutKind::kRawMaps, 2);
   ExpectLayout(Facts({{1, 3, 8, 8, 7}, {1, 3, 4, 4, 7}, {1, 3, 2, 2, 7}}, 2), LayoutKind::kRawMaps, 2);
@@ -78,7 +101,7 @@ TEST(HeadLayout, RowsOfCellsAreYoloEightsTurnedRoundWhereNamesSaySo) {
   ExpectLayout(Facts({{1, 84, 5}}, 1), LayoutKind::kCentreRows, 1);
   ExpectLayout(Facts({{1, 84, 39}, {1, 32, 16, 16}}, 3), LayoutKind::kCentreRows, 3);
   EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 7}}, 0))) << "YOLOX has a row a cell, and objectness";
-  EXPECT_FALSE(RecogniseLayout(Facts({{1, 84, 7}}, 2)));
+  ExpectLayout(Facts({{1, 84, 7}}, 2), LayoutKind::kCellRows, 2);
   EXPECT_FALSE(RecogniseLayout(Facts({{1, 300, 7}}, 3))) << "no row a cell";
 }
 
@@ -92,7 +115,7 @@ TEST(HeadLayout, EndToEndRowsMayHaveMasksAndPointsBehindThem) {
 }
 
 TEST(HeadLayout, ScoresWhoseBoxesStandApartAreNoBoxes) {
-  for (const Shapes& shapes : {Shapes{{1, 84, 4}, {1, 84, 6}}, Shapes{{1, 84, 6}, {1, 84, 1, 4}},
+  for (const Shapes& shapes : {Shapes{{1, 84, 4}, {1, 84, 7}}, Shapes{{1, 84, 6}, {1, 84, 1, 4}},
                                Shapes{{1, 4, 84}, {1, 10, 84}}, Shapes{{1, 300, 6}, {1, 300, 4}}}) {
     const auto layout = RecogniseLayout(Facts(shapes, 6));
     ASSERT_FALSE(layout) << ShapeText(shapes[0]);
@@ -126,7 +149,7 @@ TEST(HeadLayout, AllElseIsRefusedWithItsShapes) {
       {{{5, 3}}, 2},                                       // what NonMaxSuppression gives
       {{{1, 7, 84}}, 2},                                   // rotated boxes
       {{{1, 84, 84}}, 3},                                  // 80 classes, 3 names
-      {{{1, 84, 8}}, 3},                                   // one row a cell, as YOLOX writes them
+      {{{1, 84, 8}}, 2},                                   // one row a cell, of another number of classes
       {{{1, 21, 8, 8}, {1, 21, 4, 4}}, 2},                 // two maps
       {{{1, 21, 8, 8}, {1, 21, 4, 4}, {1, 24, 2, 2}}, 0},  // maps that disagree
       {{}, 0},

@@ -3,6 +3,7 @@
 #include "detection/own_suppression.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -79,15 +80,15 @@ bool HasAllBoxes(const Network& network, const OnnxModel& part) {
   facts.num_names = static_cast<int>(network.names.size());
   facts.num_keypoint_values = network.num_keypoint_values;
   const auto layout = RecogniseLayout(facts);
-  if (!layout || layout->output != 0) return false;
+  if (!layout || layout->kind == LayoutKind::kRawMaps || layout->output != 0) return false;
   const bool is_named = facts.num_names > 0 || layout->num_classes == static_cast<int>(CocoNames().size());
-  return layout->kind == LayoutKind::kAnchorRows ||
-         (is_named && (layout->kind == LayoutKind::kCentreColumns || layout->kind == LayoutKind::kCentreRows));
+  return layout->kind == LayoutKind::kAnchorRows || (is_named && layout->kind != LayoutKind::kCornerRows);
 }
 
-/// The last value before the suppression that holds all boxes. Heads put them together from places and scores.
+/// The last value before the suppression that holds all boxes, put together by the head from places and scores; where
+/// there is none, the boxes and scores that it reads.
 std::optional<OnnxModel> PartWithAllBoxes(const Network& network, const OnnxNode& suppression) {
-  constexpr int kMostTries = 12;  // each compiles the network
+  constexpr size_t kMostTries = 12;  // each compiles the network
   const OnnxModel& model = network.model;
   const Ancestry ancestry(model);
   std::vector<std::string> apart;  // outputs that have nothing to do with it: the maps of segmentation networks
@@ -97,15 +98,15 @@ std::optional<OnnxModel> PartWithAllBoxes(const Network& network, const OnnxNode
         std::none_of(behind.begin(), behind.end(), [&](size_t i) { return IsSuppression(model.nodes[i]); });
     if (is_apart) apart.push_back(output.name);
   }
+  std::vector<std::vector<std::string>> candidates;
   const std::set<size_t> before = ancestry.Behind(suppression.inputs);
-  int tries = 0;
-  for (auto i = before.rbegin(); i != before.rend() && tries < kMostTries; ++i) {
-    if (model.nodes[*i].op != "Concat") continue;
-    ++tries;
-    std::vector<std::string> values{model.nodes[*i].outputs[0]};
-    for (const std::string& output : apart) {
-      if (output != values[0]) values.push_back(output);
-    }
+  for (auto i = before.rbegin(); i != before.rend() && candidates.size() < kMostTries; ++i) {
+    if (model.nodes[*i].op == "Concat") candidates.push_back({model.nodes[*i].outputs[0]});
+  }
+  if (suppression.inputs.size() > 1) candidates.push_back({suppression.inputs[0], suppression.inputs[1]});
+  for (std::vector<std::string>& values : candidates) {
+    std::copy_if(apart.begin(), apart.end(), std::back_inserter(values),
+                 [&](const std::string& output) { return output != values[0]; });
     OnnxModel part = PartBefore(model, ancestry, values);
     if (HasAllBoxes(network, part)) return part;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "detection/box_form.h"
 #include "detection/make_engine.h"
 
 namespace yorb {
@@ -35,17 +36,53 @@ HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network
   return facts;
 }
 
-Result<ShapedEngine> MakeShapedEngine(const Network& network, const DetectionOptions& options) {
-  auto engine = MakeEngine(network.model, network.input, options);
+namespace {
+
+/// With this input, which may differ from the network's own in how pixels are handed over.
+Result<ShapedEngine> MakeWithInput(const EngineInput& input, const Network& network, const DetectionOptions& options) {
+  auto engine = MakeEngine(network.model, input, options);
   if (!engine) return engine.error();
   // A picture of nothing: only a run shows all shapes, and engines set themselves up in the first one.
-  const cv::Mat blank(network.input.height, network.input.width, network.input.channels == 1 ? CV_8UC1 : CV_8UC3,
-                      cv::Scalar::all(114));
+  const cv::Mat blank(input.height, input.width, input.channels == 1 ? CV_8UC1 : CV_8UC3, cv::Scalar::all(114));
   auto outputs = RunOn(**engine, blank);
   if (!outputs) return outputs.error();
   const auto layout = RecogniseLayout(FactsOf(*outputs, network));
-  if (!layout) return BadInput(network.input.path + " " + layout.error().message);
-  return ShapedEngine{network.input, *std::move(engine), *layout, *std::move(outputs)};
+  if (!layout) return BadInput(input.path + " " + layout.error().message);
+  return ShapedEngine{input, *std::move(engine), *layout, *std::move(outputs)};
+}
+
+/// The complaint about rows of cells that are not read after all, since shapes do not say what their numbers are.
+Error UnclearBoxes(const ShapedEngine& shaped) {
+  const std::string shape = ShapeText(shaped.blank_outputs[shaped.layout.output].dims);
+  if (shaped.layout.kind == LayoutKind::kBoxesApart)
+    return BadInput(shaped.input.path + " gives boxes " + shape +
+                    " apart from their scores that are not seen to be corners, nor centre and size, in pixels; export "
+                    "it with both in one output");
+  return BadInput(shaped.input.path + " gives rows of all cells, " + shape +
+                  ", that are neither YOLOX's as its export leaves them nor YOLOv6's; export YOLOX without "
+                  "--decode_in_inference, others as YOLOv5's (1, N, 5+C) or YOLOv8's (1, 4+C, N)");
+}
+
+}  // namespace
+
+Result<ShapedEngine> MakeShapedEngine(const Network& network, const DetectionOptions& options) {
+  auto shaped = MakeWithInput(network.input, network, options);
+  const bool is_of_cells = shaped && shaped->layout.kind == LayoutKind::kCellRows;
+  if (!shaped || (!is_of_cells && shaped->layout.kind != LayoutKind::kBoxesApart)) return shaped;
+  const HeadFacts facts = FactsOf(shaped->blank_outputs, network);
+  const auto form = BoxFormOf(shaped->blank_outputs, shaped->layout, facts);
+  const bool is_yolox = form == BoxForm::kRelative;
+  if (!form || (is_of_cells && !is_yolox && !IsObjectnessOne(shaped->blank_outputs[shaped->layout.output])))
+    return UnclearBoxes(*shaped);
+  if (is_yolox) {  // it is trained on pictures as OpenCV reads them
+    EngineInput input = network.input;
+    input.are_bytes = input.is_bgr = true;
+    shaped = MakeWithInput(input, network, options);
+    if (!shaped) return shaped;
+    shaped->layout.cells = CellsOfRows(facts.shapes[shaped->layout.output][1], facts);
+  }
+  shaped->layout.form = *form;
+  return shaped;
 }
 
 cv::Size InputSizeFor(const cv::Size& picture, int long_side_px) {

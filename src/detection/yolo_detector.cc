@@ -44,11 +44,11 @@ bool AreLogits(const Network& network, const HeadLayout& layout, const std::vect
   return false;
 }
 
-/// What the network sees: scaled and framed, RGB or grey.
-cv::Mat InputOf(const ImageSet& images, const Letterbox& fit, int channels) {
-  const bool has_colour = channels == 3 && !images.colour.empty();
+/// What the network sees: scaled and framed, in colours of its order or grey.
+cv::Mat InputOf(const ImageSet& images, const Letterbox& fit, const EngineInput& input) {
+  const bool has_colour = input.channels == 3 && !images.colour.empty();
   const cv::Mat framed = Letterboxed(has_colour ? images.colour : images.grey, fit);
-  if (channels == 1) return framed;
+  if (input.channels == 1 || (has_colour && input.is_bgr)) return framed;
   cv::Mat rgb;
   cv::cvtColor(framed, rgb, has_colour ? cv::COLOR_BGR2RGB : cv::COLOR_GRAY2RGB);
   return rgb;
@@ -132,9 +132,9 @@ Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions&
                     " raw maps and too few anchors in its metadata");
   detector->names_ = network->names;
   LogInfo(*path + ": " + LayoutText(layout, facts) + (detector->decode_.is_logits ? " of logits" : "") + ", input " +
-          std::to_string(facts.width) + "x" + std::to_string(facts.height) + ", " +
-          std::to_string(detector->names_.size()) + " classes named by " + network->names_source + ", run by " +
-          shaped->engine->name());
+          std::to_string(facts.width) + "x" + std::to_string(facts.height) +
+          (shaped->input.is_bgr ? " of B, G, R from 0 to 255, " : ", ") + std::to_string(detector->names_.size()) +
+          " classes named by " + network->names_source + ", run by " + shaped->engine->name());
   detector->ReadOnlyWhatCounts(*shaped);
   detector->own_ = *std::move(shaped);
   return detector;
@@ -220,7 +220,7 @@ Result<std::vector<RawBox>> YoloDetector::Decode(const std::vector<TensorView>& 
 Result<std::vector<Box>> YoloDetector::Look(const ImageSet& images, ShapedEngine& shaped) {
   const auto& [input, engine, layout, blank_outputs] = shaped;
   const Letterbox fit = FitLetterbox(images.grey.size(), shaped.size());
-  const auto outputs = RunOn(*engine, InputOf(images, fit, input.channels));
+  const auto outputs = RunOn(*engine, InputOf(images, fit, input));
   if (!outputs) return outputs.error();
   if (layout.kind == LayoutKind::kCornerRows && !HaveClassNumbers((*outputs)[layout.output]))
     return BadInput(input.path + " is no detector that is read: the last numbers of its rows, " +
