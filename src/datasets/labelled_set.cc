@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -49,10 +50,19 @@ std::string FaultOf(const std::vector<double>& numbers) {
   return "";
 }
 
+/// The number of a class; numpy's savetxt writes it as 0.000000e+00.
+std::optional<long long> ParseClass(std::string_view word) {
+  constexpr double kMost = 1e9;
+  if (const auto number = ParseInteger(word)) return number;
+  const auto number = ParseDouble(word);
+  const bool is_whole = number && std::abs(*number) < kMost && *number == std::floor(*number);
+  return is_whole ? std::optional(static_cast<long long>(*number)) : std::nullopt;
+}
+
 Result<LabelledBox> ParseLabel(const std::string& line, const LabelForm& form) {
   const auto& classes = form.classes;
   const auto words = SplitAtBlanks(line);
-  const auto label = ParseInteger(words.front());
+  const auto label = ParseClass(words.front());
   if (!label) return BadInput("'" + std::string(words.front()).substr(0, 40) + "' is no number of a class");
   if (*label < 0 || *label >= static_cast<long long>(classes.size()) || classes[static_cast<size_t>(*label)].empty())
     return BadInput("the list of classes has no number " + std::to_string(*label));
@@ -80,12 +90,54 @@ std::string SetsOf(const fs::path& images) {
   return sets.empty() ? "" : "; there are " + sets;
 }
 
+/// The first file with an ending in a folder; empty where there is none.
+std::string FileIn(const fs::path& folder, const char* ending) {
+  std::string first;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path& path = entry->path();
+    const bool is_list = path.filename() == "classes.txt";
+    if (LowerCase(path.extension().string()) == ending && !is_list && (first.empty() || path.string() < first))
+      first = path.string();
+  }
+  return first;
+}
+
+/// What labels of other tools are there, and what may be done; empty where none are seen.
+std::string OtherLabels(const fs::path& folder, const fs::path& labels, const fs::path& images) {
+  for (const fs::path& place : {labels, folder / "annotations", folder / "Annotations", images, folder}) {
+    if (const std::string file = FileIn(place, ".xml"); !file.empty())
+      return "; " + file + " is one of Pascal VOC's form, which is not read: convert them to YOLO's";
+    if (const std::string file = FileIn(place, ".json"); !file.empty())
+      return "; " + file + " may be of COCO's form, which is not read: convert it to YOLO's";
+  }
+  const std::string beside = FileIn(images, ".txt");
+  return beside.empty() ? "" : "; " + beside + " lies among the pictures: move such files into " + labels.string();
+}
+
 /// Whether a label file for any picture is there: a set without one is laid out in another way.
 Status CheckLayout(const LabelledSet& set, size_t num_label_files, const std::string& labels) {
   if (set.pictures.empty()) return BadInput(set.folder + " holds no pictures under images/");
   if (num_label_files > 0) return Status::Ok();
   return BadInput(labels + " holds no label file for any of the " + std::to_string(set.pictures.size()) +
-                  " pictures; the labels of images/A/B.jpg stand in labels/A/B.txt");
+                  " pictures; the labels of images/A/B.jpg stand in labels/A/B.txt" +
+                  OtherLabels(set.folder, labels, fs::path(set.pictures.front().picture).parent_path()));
+}
+
+/// The complaint about a folder without images/: sets in folders of their own, as Roboflow's are, are named.
+Error NoImages(const std::string& folder) {
+  std::set<std::string> sets;
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (fs::is_directory(entry->path() / "images", ignored)) sets.insert(entry->path().string());
+  }
+  if (!sets.empty()) {
+    return BadInput(folder + " has no folder images, but " + *sets.begin() + " has one; name that, --evaluate " +
+                    *sets.begin());
+  }
+  return BadInput(folder +
+                  " has no folder images; pictures lie under images/ and their labels at the same place under labels/" +
+                  OtherLabels(folder, fs::path(folder) / "labels", folder));
 }
 
 /// Label files that no picture took: of 0.png.txt and 0.TXT the picture would count as empty, without a word.
@@ -129,9 +181,7 @@ Result<LabelledSet> ReadLabelledSet(const std::string& folder, const std::string
   const fs::path images = fs::path(folder) / "images", labels = fs::path(folder) / "labels";
   if (!fs::is_directory(folder, ignored))
     return BadInput(folder + (fs::exists(folder, ignored) ? " is no folder" : " does not exist"));
-  if (!fs::is_directory(images, ignored))
-    return BadInput(
-        folder + " has no folder images; pictures lie under images/ and their labels at the same place under labels/");
+  if (!fs::is_directory(images, ignored)) return NoImages(folder);
   if (!fs::is_directory(images / set, ignored))
     return BadInput((images / set).string() + " is no folder" + SetsOf(images));
   const auto form = ReadLabelForm(folder, set);

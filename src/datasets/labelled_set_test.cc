@@ -35,6 +35,34 @@ TEST(LabelFile, IsReadAsPeopleHaveIt) {
   EXPECT_TRUE(Labels("\n")->empty());
 }
 
+TEST(LabelFile, NumbersOfClassesMayBeWrittenAsNumpyDoes) {
+  const auto boxes = Labels("0.000000e+00 0.5 0.25 0.5 0.5\n2.0 0.5 0.5 0.5 0.5\n");
+  ASSERT_TRUE(boxes) << boxes.error().message;
+  EXPECT_EQ((*boxes)[1].label, 2);
+  for (const char* word : {"0.5", "nan", "1e30", "-1.0", "3.0"})
+    EXPECT_FALSE(Labels(word + std::string(" .5 .5 .5 .5")));
+}
+
+TEST(LabelledSet, LabelsOfOtherToolsAreNamed) {
+  const TestFolder folder;
+  folder.Write("images/a.png", "");
+  folder.Write("images/a.txt", "0 0.5 0.5 0.5 0.5\n");
+  folder.Write("classes.txt", "person\n");
+  const auto complaint = [&](const char* place) {
+    const auto set = ReadLabelledSet(folder.Path(place), "");
+    return set ? std::string() : set.error().message;
+  };
+  EXPECT_THAT(complaint(""), AllOf(HasSubstr("images/a.txt lies among the pictures"), HasSubstr("labels")));
+  folder.Write("annotations/instances.json", "{}");
+  EXPECT_THAT(complaint(""), AllOf(HasSubstr("annotations/instances.json"), HasSubstr("COCO")));
+  folder.Write("labels/a.xml", "");
+  EXPECT_THAT(complaint(""), AllOf(HasSubstr("labels/a.xml"), HasSubstr("Pascal VOC")));
+  folder.Write("export/valid/images/b.png", "");
+  EXPECT_THAT(complaint("export"), HasSubstr("--evaluate " + folder.Path("export/valid")));
+  folder.Write("voc/Annotations/b.xml", "");
+  EXPECT_THAT(complaint("voc"), AllOf(HasSubstr("has no folder images"), HasSubstr("Annotations/b.xml")));
+}
+
 TEST(LabelFile, PolygonsCountAsTheirBoxAndRepeatedLinesOnce) {
   const auto boxes = Labels("0 0.2 0.1 0.4 0.3 0.1 0.2\n0 0.2 0.1 0.4 0.3 0.1 0.2\n0 0.25 0.2 0.3 0.2\n");
   ASSERT_TRUE(boxes) << boxes.error().message;

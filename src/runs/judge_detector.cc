@@ -21,15 +21,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The numbers of a set's classes by folded name.
-std::map<std::string, int> NumbersByName(const std::vector<std::string>& classes) {
+/// The numbers of a set's classes by folded name; those that are alike count as the first of them.
+std::map<std::string, int> NumbersByName(const LabelledSet& set) {
   std::map<std::string, int> numbers;
-  for (size_t i = 0; i < classes.size(); ++i) numbers.emplace(FoldClassName(classes[i]), static_cast<int>(i));
+  for (size_t i = 0; i < set.classes.size(); ++i) {
+    const auto [known, is_new] = numbers.emplace(FoldClassName(set.classes[i]), static_cast<int>(i));
+    if (is_new || set.classes[i].empty()) continue;
+    const auto first = static_cast<size_t>(known->second);
+    LogWarning("classes-alike", set.folder + ": its classes " + std::to_string(first) + " ('" + set.classes[first] +
+                                    "') and " + std::to_string(i) + " ('" + set.classes[i] +
+                                    "') have one name and count as one; case, blanks and underscores do not matter");
+  }
   return numbers;
 }
 
-JudgedBox TruthOf(const LabelledBox& box, const cv::Size& size) {
-  return {box.label, 1, box.left * size.width, box.top * size.height, box.right * size.width, box.bottom * size.height};
+JudgedBox TruthOf(const LabelledBox& box, int label, const cv::Size& size) {
+  return {label, 1, box.left * size.width, box.top * size.height, box.right * size.width, box.bottom * size.height};
 }
 
 bool IsWanted(const std::string& name, const std::vector<std::string>& wanted) {
@@ -76,7 +83,7 @@ void WarnOfNames(const LabelledSet& set, const std::set<std::string>& unknown) {
 }  // namespace
 
 Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detector, const JudgeOptions& options) {
-  const std::map<std::string, int> numbers = NumbersByName(set.classes);
+  const std::map<std::string, int> numbers = NumbersByName(set);
   std::vector<JudgedPicture> pictures;
   std::vector<double> times_ms;
   std::set<std::string> unknown;
@@ -96,8 +103,9 @@ Result<DetectorJudgement> JudgeDetector(const LabelledSet& set, Detector& detect
     if (!detections) return detections.error();
     JudgedPicture picture;
     for (const LabelledBox& box : labelled.boxes) {
-      const bool is_wanted = IsWanted(set.classes[static_cast<size_t>(box.label)], options.classes);
-      if (is_wanted) picture.truth.push_back(TruthOf(box, pixels->size()));
+      const std::string& name = set.classes[static_cast<size_t>(box.label)];
+      if (!IsWanted(name, options.classes)) continue;
+      picture.truth.push_back(TruthOf(box, numbers.at(FoldClassName(name)), pixels->size()));
     }
     for (const Box& box : detections->boxes) {
       const auto number = numbers.find(FoldClassName(box.name));

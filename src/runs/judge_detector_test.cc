@@ -49,6 +49,23 @@ TEST(JudgeDetector, ClassesAreMatchedByNameHoweverTheyAreNumberedAndSpelt) {
   EXPECT_EQ(only->scores.classes.size(), 1u);
 }
 
+TEST(JudgeDetector, ClassesOfOneNameCountAsOneAndAreToldOf) {
+  const TestFolder folder;
+  folder.WritePicture("images/a.png", TestColour(0));  // 64x48
+  folder.Write("labels/a.txt", "0 0.25 0.25 0.25 0.25\n2 0.75 0.75 0.25 0.25\n");
+  folder.Write("classes.txt", "person\ncup\nPerson\n");
+  const auto set = ReadLabelledSet(folder.Path(), "");
+  ASSERT_TRUE(set) << set.error().message;
+  SureDetector detector({{"person", .9, 8, 6, 24, 18}, {"person", .9, 40, 30, 56, 42}});
+  testing::internal::CaptureStderr();
+  const auto judgement = JudgeDetector(*set, detector, {});
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("0 ('person') and 2 ('Person')"));
+  ASSERT_TRUE(judgement) << judgement.error().message;
+  ASSERT_EQ(judgement->scores.classes.size(), 1u);
+  EXPECT_EQ(judgement->scores.classes[0].num_true, 2u);
+  EXPECT_NEAR(judgement->scores.classes[0].recall, 1, 1e-9);
+}
+
 TEST(JudgeDetector, JudgesTheOthersWherePicturesCannotBeRead) {
   const TestFolder folder;
   folder.Write("images/a.png", "");
