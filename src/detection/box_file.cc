@@ -83,13 +83,20 @@ double NumberOf(const Json& object, const char* key, double otherwise) {
   return std::nan("");
 }
 
+std::optional<long long> WholeNumber(double number) {
+  constexpr double kMost = 1e9;
+  const bool is_whole = std::abs(number) < kMost && number == std::floor(number);
+  return is_whole ? std::optional(static_cast<long long>(number)) : std::nullopt;
+}
+
 /// The class by its word, or by COCO's number.
 std::optional<std::string> NameOf(const Json& object) {
-  for (const char* key : {"name", "class", "label"}) {
+  for (const char* key : {"name", "class_name", "class", "label", "cls", "class_id"}) {
     const auto found = object.find(key);
     if (found == object.end()) continue;
     std::optional<long long> number;
     if (found->is_number_integer()) number = found->get<long long>();
+    if (found->is_number_float()) number = WholeNumber(found->get<double>());  // tensors give 0.0
     if (found->is_string()) number = ParseInteger(Trim(found->get<std::string>()));
     if (!number && !found->is_string()) return std::nullopt;
     if (!number) return found->get<std::string>();
@@ -126,7 +133,7 @@ std::string ReadEdges(const Json& object, Box& box) {
       return std::string("a box has no ") + kEdgeNames[i][0] +
              (object.contains("bbox") || object.contains("xywh")
                   ? "; four numbers may be a corner and a size, or two corners: write left, top, right and bottom"
-                  : "");
+                  : "; its edges are left, top, right and bottom, px");
     }
     const Json one{{"edge", is_list ? (*list)[i] : named[*key]}};
     *edges[i] = NumberOf(one, "edge", 0);
@@ -171,7 +178,25 @@ Error NoTime(const std::string& where, const Json& json) {
   if (json.contains("image"))
     return BadInput(needed + ": it names a picture; `yorb detect SEQUENCE --json`, given the sequence's own folder, " +
                     "writes lines with time stamps");
-  return BadInput(needed);
+  return BadInput(needed + "; a line is {\"timestamp\": 1.5, \"boxes\": [...]}");
+}
+
+/// Where a line stops to be JSON.
+Error NoJson(const std::string& where, const std::string& line) {
+  std::string fault = "is cut short";
+  try {
+    const Json read = Json::parse(line);
+    if (!read.is_discarded()) fault = "is no list of boxes";
+  } catch (const Json::parse_error& error) {
+    if (error.byte > 0 && error.byte <= line.size())
+      fault = "is no JSON from column " + std::to_string(error.byte) + " on, '" + line.substr(error.byte - 1, 20) + "'";
+  } catch (const Json::exception&) {
+    fault = "holds a number that is too large";
+  }
+  const bool is_no_number = line.find("NaN") != std::string::npos || line.find("Infinity") != std::string::npos;
+  return BadInput(where + ": " + fault +
+                  (is_no_number ? "; JSON has no NaN and no Infinity: write null"
+                                : "; a line is {\"timestamp\": 1.5, \"boxes\": [...]}"));
 }
 
 /// What is said of one picture, or of one box of it.
@@ -226,6 +251,7 @@ Status ReadJson(const TextFile& text, BoxFile& file) {
   }
   for (const TextLine& line : text.lines) {
     const Json json = Json::parse(line.text, nullptr, false);
+    if (json.is_discarded()) return NoJson(text.Where(line), line.text);
     if (const Status read = ReadMoment(json, text.Where(line), line.number, file); !read) return read;
   }
   return Status::Ok();

@@ -65,6 +65,28 @@ TEST(BoxFile, JsonLinesAreReadInTheirSpellings) {
   }
 }
 
+TEST(BoxFile, ClassesGoByTheNamesOfSeveralToolsAndFloats) {
+  const std::string edges = ", \"left\": 1, \"top\": 2, \"right\": 30, \"bottom\": 40}]}\n";
+  for (const char* key : {"\"class_name\": \"person\"", "\"cls\": 0.0", "\"class_id\": 0", "\"class\": 0.0"}) {
+    const auto file = Read("{\"timestamp\": 1.5, \"boxes\": [{" + std::string(key) + edges);
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_EQ(file->moments.at(0).boxes.at(0).name, "person");
+  }
+  for (const char* key : {"\"class\": 0.5", "\"class\": 1e300", "\"category_id\": 1"})
+    EXPECT_THAT(Read("{\"timestamp\": 1.5, \"boxes\": [{" + std::string(key) + edges).error().message,
+                HasSubstr("line 1: a box needs a name"));
+}
+
+TEST(BoxFile, WhatIsNoJsonIsToldByItsColumnAndWhatMayBeDone) {
+  EXPECT_THAT(Read("{\"timestamp\": 1.5, \"boxes\": [NaN]}\n").error().message,
+              AllOf(HasSubstr("line 1: is no JSON from column 30 on, 'NaN]}'"), HasSubstr("write null")));
+  EXPECT_THAT(Read("{\"timestamp\": 1.5, \"boxes\": []}\n{\"timestamp\": 2.5, \"bo").error().message,
+              HasSubstr("line 2: is cut short"));
+  EXPECT_THAT(Read("{\"timestamp\": 1.5, \"boxes\": []},\n").error().message, HasSubstr("line 1: is no JSON from"));
+  EXPECT_THAT(Read("{\"frame\": 1, \"boxes\": []}\n").error().message,
+              AllOf(HasSubstr("line 1: has no timestamp"), HasSubstr("a line is {")));
+}
+
 TEST(BoxFile, EdgesGoByTheNamesOfSeveralTools) {
   const std::string start = "{\"timestamp\": 1.5, \"boxes\": [{\"name\": \"person\", \"class\": 0, ";
   for (const char* edges : {"\"xmin\": 1, \"ymin\": 2, \"xmax\": 30, \"ymax\": 40", "\"xyxy\": [1, 2, 30, 40]",
@@ -92,7 +114,7 @@ TEST(BoxFile, OneDocumentIsReadAsItsLinesWouldBe) {
   }
   EXPECT_TRUE(Read("[]\n")->names_all) << "nobody, as in an empty file";
   EXPECT_THAT(Read("[" + other + ", 7]").error().message, HasSubstr("entry 2: is no JSON object"));
-  EXPECT_THAT(Read("[" + other + ",\n").error().message, HasSubstr("line 1: is no JSON object"));
+  EXPECT_THAT(Read("[" + other + ",\n").error().message, HasSubstr("line 1: is cut short"));
 }
 
 TEST(BoxFile, WhatNamesPicturesAndNoTimesIsToldWhatToDo) {
