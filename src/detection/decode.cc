@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "detection/edge_maps.h"
 
 namespace yorb {
 namespace {
@@ -152,6 +153,36 @@ float LeastObjectness(const DecodeOptions& options) {
   return static_cast<float>(options.is_logits ? std::log(confidence / (1 - confidence)) : options.confidence);
 }
 
+/// One of YOLOv8's own maps.
+void DecodeEdges(const std::vector<TensorView>& outputs, const EdgeMap& map, const DecodeOptions& options,
+                 Decoded& found) {
+  const TensorView &edges = outputs[map.edges], &scores = outputs[map.scores];
+  const auto stride = static_cast<float>(map.stride);
+  const float least = LeastObjectness(options);
+  for (int cell = 0; cell < map.width * map.height; ++cell) {
+    const int x = cell % map.width, y = cell / map.width;
+    const Scores classes{
+        scores.data + map.first_score * scores.strides[1] + y * scores.strides[2] + x * scores.strides[3],
+        scores.strides[1], map.num_classes};
+    float most = classes[0];
+    for (int label = 0; label < map.num_classes; ++label) {
+      if (std::isnan(classes[label])) found.scores.See(classes[label]);
+      most = std::max(most, classes[label]);
+    }
+    if (!(most >= least)) continue;
+    const float middle_x = static_cast<float>(x) + .5f, middle_y = static_cast<float>(y) + .5f;
+    const auto [left, top, right, bottom] = EdgesAt(edges, x, y);
+    const RawBox box{(middle_x - left) * stride,
+                     (middle_y - top) * stride,
+                     (middle_x + right) * stride,
+                     (middle_y + bottom) * stride,
+                     0,
+                     0};
+    const auto score = [&](int label) { return options.is_logits ? Sigmoid(classes[label]) : classes[label]; };
+    if (IsSound(box)) AddClasses(box, map.num_classes, options, score, found);
+  }
+}
+
 /// One raw map: centres relative to their cell, sizes relative to the cell's anchors.
 class MapDecoder {
  public:
@@ -224,6 +255,9 @@ Result<std::vector<RawBox>> DecodeBoxes(const std::vector<TensorView>& outputs, 
       break;
     case LayoutKind::kBoxesApart:
       DecodeApart(outputs, layout, options, found);
+      break;
+    case LayoutKind::kEdgeMaps:
+      for (const EdgeMap& map : layout.edge_maps) DecodeEdges(outputs, map, options, found);
       break;
     case LayoutKind::kCornerRows:
       DecodeCorners(outputs[layout.output], layout, options, found);

@@ -15,7 +15,7 @@ namespace yorb {
 struct DecodeOptions {
   double confidence = 0.25;        ///< boxes below it are left out
   bool takes_all_classes = false;  ///< every class above the confidence makes a box of its own, not only the best
-  bool is_logits = false;          ///< of raw maps: the sigmoid is still to come
+  bool is_logits = false;          ///< of maps: the sigmoid is still to come
   std::vector<float> anchors;      ///< of raw maps: width, height in px, three a map, by rising stride
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "detection/edge_maps.h"
+
 namespace yorb {
 namespace {
 
@@ -188,7 +190,7 @@ std::optional<HeadLayout> FindLayout(const HeadFacts& facts) {
   for (const bool are_values_last : {true, false}) {
     if (const auto layout = FromMaps(facts, are_values_last)) return layout;
   }
-  return std::nullopt;
+  return EdgeMapsOf(facts);
 }
 
 /// "1 class name", "2 class names".
@@ -208,8 +210,8 @@ std::string RemedyFor(const HeadFacts& facts) {
            "YOLOX's rows from YOLOv8's turned round";
   const auto map = facts.shapes.size() < 3 ? std::nullopt : MapOf(0, facts, true);
   if (map && MayBeWithoutAnchors(*map, facts) && NumValues(*map, facts) > 5)
-    return "; YOLOv8's own raw maps are not: export it with decoded boxes, or, if these are YOLOv5's, write the class "
-           "names, a line each, into a file beside it that has its name and .names behind";
+    return "; whether these are YOLOv8's maps or YOLOv5's is not said: write the class names, a line each, into a file "
+           "beside it that has its name and .names behind";
   return "";
 }
 
@@ -281,6 +283,9 @@ std::string LayoutText(const HeadLayout& layout, const HeadFacts& facts) {
       return "boxes " + shape(layout.output) + " and scores " + shape(layout.scores);
     case LayoutKind::kCornerRows:
       return "end-to-end rows " + shape(layout.output);
+    case LayoutKind::kEdgeMaps:
+      return std::to_string(layout.edge_maps.size()) + " maps of YOLOv8's, " + shape(layout.edge_maps[0].edges) +
+             " the finest";
     case LayoutKind::kRawMaps:
       break;
   }

@@ -20,6 +20,7 @@ enum class LayoutKind {
   kCellRows,       ///< YOLOX and YOLOv6: (1, N, 5+C), N the cells: box, objectness, classes
   kBoxesApart,     ///< YOLO-NAS: (1, N, 4) and, in an output of their own, the scores, (1, N, C); or both turned round
   kCornerRows,     ///< end to end: (1, K, 6): corners, confidence, class number; doubles are mostly gone already
+  kEdgeMaps,       ///< YOLOv8's own maps, a stride each: 64 numbers of the edges, and a score a class, not yet decoded
   kRawMaps,        ///< a map a stride, (1, 3 (5+C), h, w) or with an axis for the anchors, not yet decoded
 };
 
@@ -43,6 +44,15 @@ struct RawMap {
   int anchor_axis = 0, value_axis = 0, y_axis = 0, x_axis = 0;  ///< anchor_axis 0: anchors and values share an axis
 };
 
+/// One of YOLOv8's own maps: where its edges and its scores are.
+struct EdgeMap {
+  size_t edges = 0, scores = 0;  ///< which of the network's outputs
+  int64_t first_score = 0;       ///< the channel at which the scores begin
+  int num_classes = 0;
+  int stride = 0;  ///< px of the input between cells
+  int width = 0, height = 0;
+};
+
 /// What the outputs of a network hold.
 struct HeadLayout {
   LayoutKind kind = LayoutKind::kRawMaps;
@@ -50,7 +60,8 @@ struct HeadLayout {
   size_t output = 0;          ///< the one that holds the boxes; not for raw maps
   bool has_all_rows = false;  ///< corner rows, one a cell: nothing was chosen among them, and doubles are there
   std::vector<RawMap> maps;   ///< by rising stride
-  size_t scores = 0;          ///< the output that holds them where they stand apart from the boxes
+  std::vector<EdgeMap> edge_maps;
+  size_t scores = 0;  ///< the output that holds them where they stand apart from the boxes
   BoxForm form = BoxForm::kCentre;
   std::vector<HeadCell> cells;  ///< of each row, where boxes are relative to them
 };

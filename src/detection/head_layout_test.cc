@@ -139,7 +139,8 @@ TEST(HeadLayout, MapsWithoutNamesThatMayBeYoloEightsAreRefused) {
   ExpectLayout(joined(60, 0), LayoutKind::kRawMaps, 15);
   ExpectLayout(Facts(maps(75), 0), LayoutKind::kRawMaps, 20);
   ExpectLayout(Facts(maps(255), 0), LayoutKind::kRawMaps, 80);
-  EXPECT_FALSE(RecogniseLayout(Facts(maps(66), 2)));
+  ExpectLayout(Facts(maps(66), 2), LayoutKind::kEdgeMaps, 2);
+  EXPECT_FALSE(RecogniseLayout(Facts(maps(66), 3)));
 }
 
 TEST(HeadLayout, AllElseIsRefusedWithItsShapes) {

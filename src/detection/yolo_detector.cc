@@ -11,6 +11,7 @@
 #include "core/log.h"
 #include "core/parallel.h"
 #include "detection/class_names.h"
+#include "detection/edge_maps.h"
 #include "detection/fuse_looks.h"
 #include "detection/head_layout.h"
 #include "detection/letterbox.h"
@@ -37,6 +38,7 @@ void NameClasses(int num_classes, Network& network) {
 
 /// Whether the sigmoid of raw maps is still to come: as the graph says, else as the numbers look.
 bool AreLogits(const Network& network, const HeadLayout& layout, const std::vector<TensorView>& outputs) {
+  if (layout.kind == LayoutKind::kEdgeMaps) return AreEdgeMapsLogits(outputs, layout);
   for (const RawMap& map : layout.maps) {
     if (LastOperator(network.model, network.model.outputs[map.output].name) != "Sigmoid")
       return LookLikeLogits(outputs, layout);
@@ -205,7 +207,8 @@ Result<std::vector<RawBox>> YoloDetector::Decode(const std::vector<TensorView>& 
   constexpr double kWeak = .05;
   auto boxes = DecodeBoxes(outputs, layout, decode_);
   if (!boxes) return BadInput(own_.input.path + " " + boxes.error().message);
-  if (is_in_pixels_ || boxes->empty() || layout.kind == LayoutKind::kRawMaps) return boxes;
+  if (is_in_pixels_ || boxes->empty() || layout.kind == LayoutKind::kRawMaps || layout.kind == LayoutKind::kEdgeMaps)
+    return boxes;
   is_in_pixels_ = !LookLikeFractions(*boxes);
   if (is_in_pixels_) return boxes;
   DecodeOptions weak = decode_;

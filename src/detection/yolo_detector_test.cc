@@ -261,7 +261,7 @@ TEST(YoloDetector, MapsWithoutNamesAreToldByWhatMadeThem) {
   ASSERT_TRUE(fives) << fives.error().message;
   EXPECT_EQ((*fives)->names().size(), 20u);
   ASSERT_FALSE(eights);
-  EXPECT_THAT(eights.error().message, HasSubstr("YOLOv8's own raw maps are not"));
+  EXPECT_THAT(eights.error().message, HasSubstr("whether these are YOLOv8's maps or YOLOv5's is not said"));
 }
 
 TEST(YoloDetector, EightyClassesWithoutNamesAreCocos) {
