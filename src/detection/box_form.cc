@@ -28,8 +28,8 @@ bool IsOfForm(const Numbers& box, BoxForm form) {
 }
 
 /// The boxes that say something: rows that nothing fills are 0.
-std::vector<std::pair<Numbers, HeadCell>> BoxesIn(const TensorView& output, const std::vector<HeadCell>& cells) {
-  const bool are_columns = output.dims[1] == 4 && output.dims[2] == static_cast<int64_t>(cells.size());
+std::vector<std::pair<Numbers, HeadCell>> BoxesIn(const TensorView& output, const std::vector<HeadCell>& cells,
+                                                  bool are_columns) {
   std::vector<std::pair<Numbers, HeadCell>> boxes;
   for (size_t i = 0; i < cells.size(); ++i) {
     Numbers box;
@@ -44,14 +44,36 @@ std::vector<std::pair<Numbers, HeadCell>> BoxesIn(const TensorView& output, cons
   return boxes;
 }
 
+bool AreColumns(const TensorView& output, LayoutKind kind) {
+  return kind == LayoutKind::kCentreColumns ||
+         (kind == LayoutKind::kBoxesApart && output.dims[1] == 4 && output.dims[2] != 4);
+}
+
+/// All of them: in pixels no picture has its boxes in its first corner alone.
+bool AreFractions(const std::vector<std::pair<Numbers, HeadCell>>& boxes) {
+  constexpr float kMost = 1.5f;  // boxes go a little beyond the edges
+  return std::all_of(boxes.begin(), boxes.end(), [](const auto& box) {
+    return std::all_of(box.first.begin(), box.first.end(), [](float number) { return std::abs(number) <= kMost; });
+  });
+}
+
 }  // namespace
 
-std::optional<BoxForm> BoxFormOf(const std::vector<TensorView>& outputs, const HeadLayout& layout,
-                                 const HeadFacts& facts) {
+std::optional<SeenForm> BoxFormOf(const std::vector<TensorView>& outputs, const HeadLayout& layout,
+                                  const HeadFacts& facts) {
   constexpr double kNear = .1, kClearly = 2;  // shares of the picture; how much nearer than by the next form
+  constexpr size_t kLeastShare = 4;           // a quarter of the cells have boxes
   const TensorView& output = outputs[layout.output];
-  const int64_t num_rows = output.dims[1] == 4 && output.dims[2] != 4 ? output.dims[2] : output.dims[1];
-  const auto boxes = BoxesIn(output, CellsOfRows(num_rows, facts));
+  const bool are_columns = AreColumns(output, layout.kind);
+  const std::vector<HeadCell> cells = CellsOfRows(output.dims[are_columns ? 2 : 1], facts);
+  auto boxes = BoxesIn(output, cells, are_columns);
+  if (kLeastShare * boxes.size() < cells.size()) return std::nullopt;
+  // Offsets from cells, YOLOX's, are small, too.
+  const bool are_fractions = layout.kind != LayoutKind::kCellRows && AreFractions(boxes);
+  for (auto& [box, cell] : boxes) {
+    for (size_t k = 0; k < 4 && are_fractions; ++k)
+      box[k] *= static_cast<float>(k % 2 == 0 ? facts.width : facts.height);
+  }
   std::vector<std::pair<double, BoxForm>> forms;
   for (const BoxForm form : {BoxForm::kCentre, BoxForm::kCorners, BoxForm::kRelative}) {
     if (form == BoxForm::kRelative && layout.kind != LayoutKind::kCellRows) continue;
@@ -64,7 +86,7 @@ std::optional<BoxForm> BoxFormOf(const std::vector<TensorView>& outputs, const H
   std::sort(forms.begin(), forms.end());
   if (boxes.empty() || forms.empty() || forms[0].first > kNear) return std::nullopt;
   const bool is_clear = forms.size() == 1 || forms[1].first > kClearly * forms[0].first;
-  return is_clear ? std::optional(forms[0].second) : std::nullopt;
+  return is_clear ? std::optional(SeenForm{forms[0].second, are_fractions}) : std::nullopt;
 }
 
 bool IsObjectnessOne(const TensorView& rows) {

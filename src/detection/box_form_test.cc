@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "detection/test_network.h"
 #include "detection/yolo_detector.h"
 #include "pictures/test_folder.h"
@@ -68,10 +70,10 @@ TestNetwork NetworkOf(const Head& head) {
   return net;
 }
 
-Result<std::vector<Box>> BoxesOf(const Head& head) {
+Result<std::vector<Box>> BoxesOf(const TestNetwork& net) {
   const TestFolder folder;
   DetectionOptions options;
-  options.model = folder.Write("net.onnx", NetworkOf(head).Bytes());
+  options.model = folder.Write("net.onnx", net.Bytes());
   auto detector = YoloDetector::Open(options);
   if (!detector) return detector.error();
   cv::Mat bgr(64, 64, CV_8UC3, cv::Scalar::all(20));
@@ -82,8 +84,7 @@ Result<std::vector<Box>> BoxesOf(const Head& head) {
   return detections->boxes;
 }
 
-void ExpectRedAndGreen(const Head& head) {
-  const auto boxes = BoxesOf(head);
+void ExpectRedAndGreen(const Result<std::vector<Box>>& boxes) {
   ASSERT_TRUE(boxes) << boxes.error().message;
   ASSERT_EQ(boxes->size(), 2u);
   for (const Box& box : *boxes) {
@@ -95,8 +96,10 @@ void ExpectRedAndGreen(const Head& head) {
   EXPECT_NE((*boxes)[0].name, (*boxes)[1].name);
 }
 
+void ExpectRedAndGreen(const Head& head) { ExpectRedAndGreen(BoxesOf(NetworkOf(head))); }
+
 std::string Refusal(const Head& head) {
-  const auto boxes = BoxesOf(head);
+  const auto boxes = BoxesOf(NetworkOf(head));
   return boxes ? std::string() : boxes.error().message;
 }
 
@@ -105,8 +108,23 @@ TEST(BoxForm, BoxesApartAreCornersOrCentresWhateverOutputTheyAre) {
     ExpectRedAndGreen({.form = form, .is_apart = true});
     ExpectRedAndGreen({.form = form, .is_apart = true, .are_columns = true});
   }
-  EXPECT_THAT(Refusal({.form = BoxForm::kCorners, .scale = 1 / 64.f, .is_apart = true}),
+  ExpectRedAndGreen({.form = BoxForm::kCorners, .scale = 1 / 64.f, .is_apart = true});
+  EXPECT_THAT(Refusal({.form = BoxForm::kCorners, .scale = .3f, .is_apart = true}),
               testing::AllOf(HasSubstr("net.onnx gives boxes (1, 84, 4)"), HasSubstr("export it")));
+}
+
+TEST(BoxForm, ColumnsMayBeOfCornersWhereTheNetworkShowsIt) {
+  TestNetwork net = TwoColourNetwork();
+  OnnxTensor& places = *std::find_if(net.model.constants.begin(), net.model.constants.end(), [](const OnnxTensor& c) {
+    return c.dims == std::vector<int64_t>{1, 4, 64};
+  });
+  for (size_t i = 0; i < 64; ++i) {
+    for (const size_t k : {0, 1}) {
+      const float centre = places.floats[k * 64 + i];
+      places.floats[k * 64 + i] = centre - 4, places.floats[(k + 2) * 64 + i] = centre + 4;
+    }
+  }
+  ExpectRedAndGreen(BoxesOf(net));
 }
 
 TEST(BoxForm, YoloxIsHandedPicturesAsItWasTrainedOnThem) {

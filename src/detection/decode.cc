@@ -64,7 +64,8 @@ bool IsSound(const RawBox& box) {
 
 /// A box from its four numbers, in the layout's form.
 RawBox BoxOf(const Scores& numbers, const HeadLayout& layout, size_t row) {
-  const float x = numbers[0], y = numbers[1], width = numbers[2], height = numbers[3];
+  const float x = numbers[0] * layout.unit_x, y = numbers[1] * layout.unit_y;
+  const float width = numbers[2] * layout.unit_x, height = numbers[3] * layout.unit_y;
   if (layout.form == BoxForm::kCorners) return {x, y, width, height, 0, 0};
   if (layout.form == BoxForm::kCentre) return FromCentre(x, y, width, height);
   const HeadCell& cell = layout.cells[row];

@@ -270,17 +270,19 @@ Result<HeadLayout> RecogniseLayout(const HeadFacts& facts) {
 
 std::string LayoutText(const HeadLayout& layout, const HeadFacts& facts) {
   const auto shape = [&](size_t output) { return ShapeText(facts.shapes[output]); };
+  const std::string form = std::string(layout.form == BoxForm::kCorners ? " of corners" : "") +
+                           (layout.unit_x != 1 ? " of fractions " : " ");
   switch (layout.kind) {
     case LayoutKind::kAnchorRows:
-      return "YOLOv5 rows " + shape(layout.output);
+      return "YOLOv5 rows" + form + shape(layout.output);
     case LayoutKind::kCentreColumns:
-      return "YOLOv8 columns " + shape(layout.output);
+      return "YOLOv8 columns" + form + shape(layout.output);
     case LayoutKind::kCentreRows:
-      return "YOLOv8 rows " + shape(layout.output);
+      return "YOLOv8 rows" + form + shape(layout.output);
     case LayoutKind::kCellRows:
       return (layout.form == BoxForm::kRelative ? "YOLOX rows " : "rows of all cells ") + shape(layout.output);
     case LayoutKind::kBoxesApart:
-      return "boxes " + shape(layout.output) + " and scores " + shape(layout.scores);
+      return "boxes" + form + shape(layout.output) + " and scores " + shape(layout.scores);
     case LayoutKind::kCornerRows:
       return "end-to-end rows " + shape(layout.output);
     case LayoutKind::kEdgeMaps:

@@ -63,7 +63,8 @@ struct HeadLayout {
   std::vector<EdgeMap> edge_maps;
   size_t scores = 0;  ///< the output that holds them where they stand apart from the boxes
   BoxForm form = BoxForm::kCentre;
-  std::vector<HeadCell> cells;  ///< of each row, where boxes are relative to them
+  float unit_x = 1, unit_y = 1;  ///< px of the input in a box's numbers: its size where they are fractions of it
+  std::vector<HeadCell> cells;   ///< of each row, where boxes are relative to them
 };
 
 /// The outputs' shapes, and what helps to tell layouts of the same shape from each other.

@@ -51,6 +51,11 @@ Result<ShapedEngine> MakeWithInput(const EngineInput& input, const Network& netw
   return ShapedEngine{input, *std::move(engine), *layout, *std::move(outputs)};
 }
 
+bool HasBoxOfEachCell(LayoutKind kind) {
+  return kind == LayoutKind::kAnchorRows || kind == LayoutKind::kCentreColumns || kind == LayoutKind::kCentreRows ||
+         kind == LayoutKind::kCellRows || kind == LayoutKind::kBoxesApart;
+}
+
 /// The complaint about rows of cells that are not read after all, since shapes do not say what their numbers are.
 Error UnclearBoxes(const ShapedEngine& shaped) {
   const std::string shape = ShapeText(shaped.blank_outputs[shaped.layout.output].dims);
@@ -67,12 +72,14 @@ Error UnclearBoxes(const ShapedEngine& shaped) {
 
 Result<ShapedEngine> MakeShapedEngine(const Network& network, const DetectionOptions& options) {
   auto shaped = MakeWithInput(network.input, network, options);
-  const bool is_of_cells = shaped && shaped->layout.kind == LayoutKind::kCellRows;
-  if (!shaped || (!is_of_cells && shaped->layout.kind != LayoutKind::kBoxesApart)) return shaped;
+  if (!shaped || !HasBoxOfEachCell(shaped->layout.kind)) return shaped;
+  const LayoutKind kind = shaped->layout.kind;
+  const bool is_of_cells = kind == LayoutKind::kCellRows;
   const HeadFacts facts = FactsOf(shaped->blank_outputs, network);
-  const auto form = BoxFormOf(shaped->blank_outputs, shaped->layout, facts);
-  const bool is_yolox = form == BoxForm::kRelative;
-  if (!form || (is_of_cells && !is_yolox && !IsObjectnessOne(shaped->blank_outputs[shaped->layout.output])))
+  const auto seen = BoxFormOf(shaped->blank_outputs, shaped->layout, facts);
+  const bool is_yolox = seen && seen->form == BoxForm::kRelative;
+  if (!seen && !is_of_cells && kind != LayoutKind::kBoxesApart) return shaped;  // centres, in all likelihood
+  if (!seen || (is_of_cells && !is_yolox && !IsObjectnessOne(shaped->blank_outputs[shaped->layout.output])))
     return UnclearBoxes(*shaped);
   if (is_yolox) {  // it is trained on pictures as OpenCV reads them
     EngineInput input = network.input;
@@ -81,7 +88,9 @@ Result<ShapedEngine> MakeShapedEngine(const Network& network, const DetectionOpt
     if (!shaped) return shaped;
     shaped->layout.cells = CellsOfRows(facts.shapes[shaped->layout.output][1], facts);
   }
-  shaped->layout.form = *form;
+  shaped->layout.form = seen->form;
+  if (seen->are_fractions)
+    shaped->layout.unit_x = static_cast<float>(facts.width), shaped->layout.unit_y = static_cast<float>(facts.height);
   return shaped;
 }
 

@@ -164,8 +164,11 @@ TEST(YoloDetector, NumbersOfClassesAreNoPartOfTheirNames) {
               HasSubstr("net.names, line 2: the number 0 stands here twice"));
 }
 
-TEST(YoloDetector, BoxesThatAreFractionsAreRefused) {
-  const TestNetwork net = TwoColourNetwork(true, {1 / 64.f});
+TEST(YoloDetector, BoxesThatAreFractionsAreReadWhereTheyAreThoseOfTheInput) {
+  const auto read = BoxesOf(TwoColourNetwork(true, {1 / 64.f}), "auto", RedAndGreen());
+  ASSERT_TRUE(read) << read.error().message;
+  ExpectRedAndGreen(*read, 1);
+  const TestNetwork net = TwoColourNetwork(true, {.5f / 64});
   const auto boxes = BoxesOf(net, "auto", RedAndGreen());
   ASSERT_FALSE(boxes);
   EXPECT_THAT(boxes.error().message, testing::AllOf(HasSubstr("net.onnx: "), HasSubstr("fractions of the picture")));
