@@ -88,6 +88,7 @@ TEST(Onnx, OtherFilesAreToldByTheirBeginnings) {
   EXPECT_THAT(told("\x80\x02\x8a"), HasSubstr("export it to ONNX"));
   EXPECT_THAT(told(std::string(64, '\0')), HasSubstr("cut short; download or export it again"));
   EXPECT_THAT(ReadOnnxFile("no_such.onnx").error().message, HasSubstr("no_such.onnx does not exist"));
+  EXPECT_THAT(ReadOnnxFile("/dev/null").error().message, HasSubstr("/dev/null is no regular file"));
 }
 
 TEST(Onnx, NodesThatReadWhatNothingMakesAreRefused) {

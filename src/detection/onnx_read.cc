@@ -253,6 +253,8 @@ Result<OnnxModel> ReadOnnxBytes(const std::string& bytes, const std::string& pat
 Result<OnnxModel> ReadOnnxFile(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return BadInput(path + " is a folder, an ONNX file is expected");
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    return BadInput(path + " is no regular file, an ONNX file is expected");  // a named pipe would never open
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) {
     const bool is_there = std::filesystem::exists(path, ignored);

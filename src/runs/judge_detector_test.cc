@@ -142,6 +142,7 @@ TEST(PictureSource, GivesPicturesFoldersAndSequences) {
   EXPECT_FALSE(broken);
   EXPECT_FALSE((*pictures)->HasNext());
   EXPECT_FALSE(OpenPictureSource(folder.Path("empty")));
+  EXPECT_THAT(OpenPictureSource("").error().message, testing::HasSubstr("empty name"));
   EXPECT_FALSE((*OpenPictureSource(folder.Path("gone.png")))->Next());
 }
 

@@ -94,6 +94,7 @@ Result<std::unique_ptr<PictureSource>> OpenFolder(const std::string& folder) {
 
 Result<std::unique_ptr<PictureSource>> OpenPictureSource(const std::string& path) {
   std::error_code ignored;
+  if (path.empty()) return BadInput("a picture has an empty name (\"\"); name a picture, folder, video or sequence");
   if (fs::is_directory(path, ignored)) return HasTumLayout(path) ? OpenSequence(path) : OpenFolder(path);
   if (HasVideoEnding(path)) {
     auto video = Video::Open(path);
