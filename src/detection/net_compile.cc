@@ -95,9 +95,15 @@ class NetCompiler {
     return ready;
   }
 
+  /// ONNX's own; ONNX Runtime writes 16-bit quantisation, which is the same, under its own.
+  static bool IsOfKnownDomain(const OnnxNode& node) {
+    const bool is_quantising = node.op == "QuantizeLinear" || node.op == "DequantizeLinear";
+    return node.domain.empty() || node.domain == "ai.onnx" || (is_quantising && node.domain == "com.microsoft");
+  }
+
   Status CompileNode(const OnnxNode& node) {
     const std::string unknown = "operator " + node.op;
-    if (!node.domain.empty() && node.domain != "ai.onnx") return BadInput(unknown + " of " + node.domain);
+    if (!IsOfKnownDomain(node)) return BadInput(unknown + " of " + node.domain);
     const NetNode ready = NodeOf(node);
     auto outputs = put_off_.count(&node) > 0 ? std::optional(PutOff(ready)) : Fused(ready);
     if (!outputs) {

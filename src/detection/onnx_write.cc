@@ -45,12 +45,12 @@ std::string_view RawOf(const std::vector<T>& values) {
 std::string TensorBytes(const OnnxTensor& tensor) {
   ProtoWriter writer;
   for (const int64_t dim : tensor.dims) writer.Integer(1, dim);
-  const bool is_short = tensor.is_whole && (tensor.type == kOnnxUint8 || tensor.type == kOnnxInt8);
+  // Quantised numbers keep their type, which says how far they reach.
+  const bool is_short = tensor.is_whole && tensor.type >= kOnnxUint8 && tensor.type <= kOnnxInt16;
   writer.Integer(2, is_short ? tensor.type : tensor.is_whole ? kOnnxInt64 : kOnnxFloat);
   writer.Bytes(8, tensor.name);
-  if (is_short) {  // quantised numbers: their type says how far they reach
-    const std::string bytes(tensor.ints.begin(), tensor.ints.end());
-    writer.Bytes(9, bytes);
+  if (is_short) {
+    for (const int64_t number : tensor.ints) writer.Integer(5, number);
     return writer.bytes();
   }
   writer.Bytes(9, tensor.is_whole ? RawOf(tensor.ints) : RawOf(tensor.floats));

@@ -159,19 +159,22 @@ void YoloDetector::ReadOnlyWhatCounts(ShapedEngine& shaped) const {
 Status YoloDetector::FitToPictures(std::vector<int> long_sides_px) {
   // A box that one look of several is little sure of still counts for what the others saw.
   constexpr double kFaint = .01;
+  const bool is_asked_for = !long_sides_px.empty();
+  const auto of_one_size = [&] {
+    return BadInput(own_.input.path + " runs at its own size of " + std::to_string(own_.input.width) + "x" +
+                    std::to_string(own_.input.height) + " alone; leave --size out, or export the network with another");
+  };
+  if (own_.layout.kind != LayoutKind::kRawMaps) return is_asked_for ? Status(of_one_size()) : Status::Ok();
   auto network = OpenNetwork(own_.input.path, {});
   if (!network) return network.error();
-  const bool is_asked_for = !long_sides_px.empty();
   if (!is_asked_for) long_sides_px = network->stills_px;
   if (long_sides_px.empty()) return Status::Ok();
   options_.engine = own_.engine->name() == "OpenCV DNN" ? "opencv" : "xnnpack";  // those that do not mind the size
   const int first_px = long_sides_px.front();
-  if (own_.layout.kind == LayoutKind::kRawMaps) stills_ = *std::move(network);
-  if (!stills_ || !EngineFor({first_px, first_px}, first_px)) {
+  stills_ = *std::move(network);
+  if (!EngineFor({first_px, first_px}, first_px)) {
     stills_.reset();
-    if (!is_asked_for) return Status::Ok();
-    return BadInput(own_.input.path + " runs at its own size of " + std::to_string(own_.input.width) + "x" +
-                    std::to_string(own_.input.height) + " alone; leave --size out, or export the network with another");
+    return is_asked_for ? Status(of_one_size()) : Status::Ok();
   }
   if (long_sides_px.size() > 1) decode_.confidence = std::min(decode_.confidence, kFaint);
   ReadOnlyWhatCounts(own_);
