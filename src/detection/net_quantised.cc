@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "detection/engine.h"
 #include "detection/net_loop.h"
 #include "detection/net_program.h"
 
@@ -93,6 +94,9 @@ NetOutputs QuantizeLinear(const NetNode& node) {
   const auto stated = static_cast<int>(node.node.Integer("output_dtype", 0));
   const auto range = RangeOfType(node.Has(2) || stated == 0 ? zero.onnx_type : stated);
   if (!range) return BadInput(": it is to a type that is not read");
+  const std::vector<float> scales = node.inputs[1].is_constant ? NumbersOf(node.inputs[1]) : std::vector<float>();
+  if (std::any_of(scales.begin(), scales.end(), [](float scale) { return !(scale > 0) || std::isinf(scale); }))
+    return BadInput(std::string(": it divides by a scale that is not above 0") + kNorByOpenCv);
   return ByScale(node, zero, true, [range = *range](float number, float scale, float offset) {
     return Rounded(std::min(std::max(number / scale, range.least - offset), range.most - offset)) + offset;
   });

@@ -99,15 +99,17 @@ TEST(NetQuantised, WholeConvolutionsOfNumbersQuantisedOnTheWayAreRightToTheirSte
 }
 
 TEST(NetQuantised, ScalesThatDoNotFitAndUnknownTypesAreRefused) {
-  const auto refusal = [](const std::vector<int64_t>& scale_dims, OnnxType type) {
+  const auto refusal = [](const std::vector<int64_t>& scale_dims, OnnxType type, float scale_is = 1) {
     TestNetwork net(8, 4);
-    const std::string scale = net.Constant(scale_dims, Floats(static_cast<size_t>(scale_dims[0]), 1.f));
+    const std::string scale = net.Constant(scale_dims, Floats(static_cast<size_t>(scale_dims[0]), scale_is));
     net.Output(net.Op("QuantizeLinear", {"images", scale, Short(net, type, {1}, {0})}), {});
     const auto engine = MakeXnnpackEngine(*ReadOnnxBytes(net.Bytes(), "a.onnx"), InputOf(net.model), 1);
     return engine ? std::string() : engine.error().message;
   };
   EXPECT_EQ(refusal({3}, kOnnxUint8), "");
   EXPECT_THAT(refusal({2}, kOnnxUint8), testing::HasSubstr("QuantizeLinear: its scales do not fit"));
+  for (const float scale : {0.f, -1.f, HUGE_VALF, std::nanf("")})
+    EXPECT_THAT(refusal({1}, kOnnxUint8, scale), testing::HasSubstr("a scale that is not above 0"));
   EXPECT_THAT(refusal({1}, kOnnxInt64), testing::HasSubstr("QuantizeLinear: it is to a type"));
 }
 
