@@ -19,10 +19,15 @@ enum OnnxType : int {
   kOnnxInt8 = 3,
   kOnnxUint16 = 4,
   kOnnxInt16 = 5,
+  kOnnxInt32 = 6,
   kOnnxInt64 = 7,
+  kOnnxText = 8,
   kOnnxBool = 9,
   kOnnxFloat16 = 10,
-  kOnnxDouble = 11
+  kOnnxDouble = 11,
+  kOnnxUint32 = 12,
+  kOnnxUint64 = 13,
+  kOnnxBfloat16 = 16,
 };
 
 /// A constant: weights, shapes. Halves and doubles are read as floats, all whole numbers and booleans as int64.

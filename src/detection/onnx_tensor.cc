@@ -14,23 +14,6 @@
 namespace yorb {
 namespace {
 
-// The element types that are read, by their numbers in onnx.proto.
-enum Type : int64_t {
-  kFloat = 1,
-  kUint8 = 2,
-  kInt8 = 3,
-  kUint16 = 4,
-  kInt16 = 5,
-  kInt32 = 6,
-  kInt64 = 7,
-  kBool = 9,
-  kHalf = 10,
-  kDouble = 11,
-  kUint32 = 12,
-  kUint64 = 13,
-  kBfloat16 = 16,
-};
-
 /// The fields of a TensorProto before its numbers are made of them.
 struct RawTensor {
   OnnxTensor tensor;
@@ -146,50 +129,51 @@ float FloatOfBfloat(uint16_t upper) {
   return value;
 }
 
-bool IsWhole(int64_t type) { return type != kFloat && type != kHalf && type != kDouble && type != kBfloat16; }
+bool IsWhole(int64_t type) {
+  return type != kOnnxFloat && type != kOnnxFloat16 && type != kOnnxDouble && type != kOnnxBfloat16;
+}
 
 /// Texts, complex numbers and those of 8 or 4 bits are not.
 bool IsRead(int64_t type) {
-  constexpr int64_t kText = 8;
-  return (type >= kFloat && type <= kUint64 && type != kText) || type == kBfloat16;
+  return (type >= kOnnxFloat && type <= kOnnxUint64 && type != kOnnxText) || type == kOnnxBfloat16;
 }
 
 /// Numbers that stand in `raw_data`, or in another file.
 void FromRaw(std::string_view raw, int64_t type, OnnxTensor& tensor) {
   switch (type) {
-    case kFloat:
+    case kOnnxFloat:
       Convert<float>(raw, tensor.floats);
       break;
-    case kHalf:
+    case kOnnxFloat16:
       ConvertHalves(raw, FloatOfHalf, tensor.floats);
       break;
-    case kBfloat16:
+    case kOnnxBfloat16:
       ConvertHalves(raw, FloatOfBfloat, tensor.floats);
       break;
-    case kDouble:
+    case kOnnxDouble:
       Convert<double>(raw, tensor.floats);
       break;
-    case kUint8:
-    case kBool:
+    case kOnnxUint8:
+    case kOnnxBool:
       Convert<uint8_t>(raw, tensor.ints);
       break;
-    case kInt8:
+    case kOnnxInt8:
       Convert<int8_t>(raw, tensor.ints);
       break;
-    case kUint16:
+    case kOnnxUint16:
       Convert<uint16_t>(raw, tensor.ints);
       break;
-    case kInt16:
+    case kOnnxInt16:
       Convert<int16_t>(raw, tensor.ints);
       break;
-    case kInt32:
+    case kOnnxInt32:
       Convert<int32_t>(raw, tensor.ints);
       break;
-    case kInt64:
-    case kUint64:
+    case kOnnxInt64:
+    case kOnnxUint64:
       Convert<int64_t>(raw, tensor.ints);
       break;
-    case kUint32:
+    case kOnnxUint32:
       Convert<uint32_t>(raw, tensor.ints);
       break;
     default:
@@ -202,10 +186,10 @@ void FromFields(RawTensor& raw) {
   OnnxTensor& tensor = raw.tensor;
   if (tensor.is_whole) {
     tensor.ints = std::move(raw.ints);
-  } else if (raw.type == kHalf || raw.type == kBfloat16) {
-    const auto from_half = raw.type == kHalf ? FloatOfHalf : FloatOfBfloat;
+  } else if (raw.type == kOnnxFloat16 || raw.type == kOnnxBfloat16) {
+    const auto from_half = raw.type == kOnnxFloat16 ? FloatOfHalf : FloatOfBfloat;
     for (const int64_t bits : raw.ints) tensor.floats.push_back(from_half(static_cast<uint16_t>(bits)));
-  } else if (raw.type == kDouble) {
+  } else if (raw.type == kOnnxDouble) {
     tensor.floats.assign(raw.doubles.begin(), raw.doubles.end());
   } else {
     tensor.floats = std::move(raw.floats);
