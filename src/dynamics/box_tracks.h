@@ -39,8 +39,8 @@ struct BoxTrack {
 /// good as seen. A box that was seen in two pictures stays, moving on at constant velocity, for a while after the
 /// detector lost it, and for longer while its body is found there. Static things are not followed: depth tells what is
 /// a body. What a detector hardly sees continues for a while what it saw surely, and more than once, but begins
-/// nothing. Where a box file says that nobody is there, nothing is bridged. Of a
-/// picture's boxes of what moves the thousand surest are followed.
+/// nothing. Where a box file says that nobody is there, nothing is bridged. Of a picture's boxes of what moves the
+/// thousand surest are followed.
 class BoxTracks {
  public:
   /// `sure_confidence`: boxes of people below it begin nothing; those of pets need more.
