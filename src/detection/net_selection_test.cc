@@ -146,6 +146,7 @@ TEST(NetSelection, ComparisonsNormalisationAndChoicesAreAsTheyAreWritten) {
              {});
   net.Output(net.Op("Cast", {net.Op("Mul", {"images", net.Constant({1}, {10})})}, {IntAttribute("to", kOnnxInt64)}),
              {});
+  net.Output(net.Op("Cast", {"images"}, {IntAttribute("to", kOnnxBfloat16)}), {});
   const auto given = AllCompiled(net);
   const Floats pixels = Pixels(4, 2);
   const Floats scale{1, 2, 3}, shift{0, .5f, 1}, mean{.1f, .2f, .3f}, deviation{1, 2, .5f};
@@ -155,6 +156,7 @@ TEST(NetSelection, ComparisonsNormalisationAndChoicesAreAsTheyAreWritten) {
     EXPECT_EQ(given[1][i], value >= .5f ? 0 : 1);
     EXPECT_NEAR(given[2][i], (value - mean[i / 8]) / deviation[i / 8] * scale[i / 8] + shift[i / 8], 1e-5);
     EXPECT_EQ(given[3][i], std::floor(value * 10));
+    EXPECT_NEAR(given[4][i], value, 1e-6);  // all is kept as floats
   }
 }
 

@@ -313,7 +313,7 @@ NetOutputs Identity(const NetNode& node) { return One(node.inputs[0]); }
 /// Between floats and halves nothing changes, since all is kept as floats; whole numbers are cut.
 NetOutputs Cast(const NetNode& node) {
   const int64_t to = node.node.Integer("to", kOnnxFloat);
-  const bool is_float = to == kOnnxFloat || to == kOnnxFloat16 || to == kOnnxDouble;
+  const bool is_float = IsFloatType(to);
   NetValue value = node.inputs[0];
   const bool is_truth = to == kOnnxBool;
   if (is_truth || (!is_float && !value.is_whole)) {

@@ -30,6 +30,11 @@ enum OnnxType : int {
   kOnnxBfloat16 = 16,
 };
 
+/// Whether numbers of a type have fractions.
+inline bool IsFloatType(int64_t type) {
+  return type == kOnnxFloat || type == kOnnxFloat16 || type == kOnnxDouble || type == kOnnxBfloat16;
+}
+
 /// A constant: weights, shapes. Halves and doubles are read as floats, all whole numbers and booleans as int64.
 struct OnnxTensor {
   std::string name;

@@ -129,10 +129,6 @@ float FloatOfBfloat(uint16_t upper) {
   return value;
 }
 
-bool IsWhole(int64_t type) {
-  return type != kOnnxFloat && type != kOnnxFloat16 && type != kOnnxDouble && type != kOnnxBfloat16;
-}
-
 /// Texts, complex numbers and those of 8 or 4 bits are not.
 bool IsRead(int64_t type) {
   return (type >= kOnnxFloat && type <= kOnnxUint64 && type != kOnnxText) || type == kOnnxBfloat16;
@@ -246,7 +242,7 @@ Result<OnnxTensor> ParseOnnxTensor(std::string_view message, const std::string& 
   if (!IsRead(raw->type))
     return BadInput("holds numbers of a type that is not read (" + std::to_string(raw->type) +
                     " of ONNX); export it with weights of 32 or 16 bits");
-  raw->tensor.is_whole = IsWhole(raw->type);
+  raw->tensor.is_whole = !IsFloatType(raw->type);
   raw->tensor.type = static_cast<int>(raw->type);
   if (raw->is_external) {
     const auto bytes = ReadExternal(*raw, folder);

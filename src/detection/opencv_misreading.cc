@@ -149,7 +149,7 @@ std::string ComparisonOfShapes(const Graph& graph, const OnnxNode& node, const s
 /// It is passed over: fractions stay. Without shapes it is one of constants, which are right.
 std::string CastOfShapes(const Graph& graph, const OnnxNode& node, const std::vector<Dims>& shapes) {
   const int64_t type = node.Integer("to", kOnnxFloat);
-  const bool is_of_floats = type == kOnnxFloat || type == kOnnxFloat16 || type == kOnnxDouble;
+  const bool is_of_floats = IsFloatType(type);
   const std::string maker = graph.MakerOf(node, 0);
   constexpr const char* kWhole[] = {"ArgMax", "ArgMin", "Floor", "Ceil", "Round", "Equal", "Greater", "Less", "Shape"};
   const bool is_whole = std::find(std::begin(kWhole), std::end(kWhole), maker) != std::end(kWhole);
