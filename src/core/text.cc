@@ -181,6 +181,12 @@ std::optional<long long> ParseInteger(std::string_view text) {
   return value;
 }
 
+std::optional<long long> WholeNumber(double number) {
+  constexpr double kMost = 1e9;
+  const bool is_whole = std::abs(number) < kMost && number == std::floor(number);
+  return is_whole ? std::optional(static_cast<long long>(number)) : std::nullopt;
+}
+
 std::string FormatFixed(double value, int decimals) {
   char buffer[400];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed, decimals);

@@ -53,6 +53,9 @@ std::optional<double> ParseDouble(std::string_view text);
 /// Reads a whole field as an integer.
 std::optional<long long> ParseInteger(std::string_view text);
 
+/// A number without a fraction, and below a billion, as an integer: tools write class 0 as 0.0.
+std::optional<long long> WholeNumber(double number);
+
 /// `value` with so many decimals and a decimal point in every locale.
 std::string FormatFixed(double value, int decimals);
 

@@ -170,6 +170,13 @@ TEST(Text, ParseIntegerReadsAWholeFieldAndNothingElse) {
   }
 }
 
+TEST(Text, WholeNumberTakesNoFractions) {
+  EXPECT_EQ(WholeNumber(-3.0), -3);
+  EXPECT_EQ(WholeNumber(0.0), 0);
+  const double infinite = std::numeric_limits<double>::infinity(), none = std::nan("");
+  for (const double number : {0.5, 1e9, infinite, -infinite, none}) EXPECT_FALSE(WholeNumber(number)) << number;
+}
+
 TEST(Text, ShortestTextReadsBackToTheBit) {
   Random random(5);
   for (int i = 0; i < 10000; ++i) {

@@ -52,11 +52,9 @@ std::string FaultOf(const std::vector<double>& numbers) {
 
 /// The number of a class; numpy's savetxt writes it as 0.000000e+00.
 std::optional<long long> ParseClass(std::string_view word) {
-  constexpr double kMost = 1e9;
   if (const auto number = ParseInteger(word)) return number;
   const auto number = ParseDouble(word);
-  const bool is_whole = number && std::abs(*number) < kMost && *number == std::floor(*number);
-  return is_whole ? std::optional(static_cast<long long>(*number)) : std::nullopt;
+  return number ? WholeNumber(*number) : std::nullopt;
 }
 
 Result<LabelledBox> ParseLabel(const std::string& line, const LabelForm& form) {

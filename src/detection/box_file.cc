@@ -83,12 +83,6 @@ double NumberOf(const Json& object, const char* key, double otherwise) {
   return std::nan("");
 }
 
-std::optional<long long> WholeNumber(double number) {
-  constexpr double kMost = 1e9;
-  const bool is_whole = std::abs(number) < kMost && number == std::floor(number);
-  return is_whole ? std::optional(static_cast<long long>(number)) : std::nullopt;
-}
-
 /// The class by its word, or by COCO's number.
 std::optional<std::string> NameOf(const Json& object) {
   for (const char* key : {"name", "class_name", "class", "label", "cls", "class_id"}) {

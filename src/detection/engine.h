@@ -37,9 +37,8 @@ class Engine {
   virtual std::string name() const = 0;
 
   /// The graph's outputs in its order, for a picture of the input's size: CV_8UC3 in the order that the network wants,
-  /// R, G, B nearly always, or CV_8UC1.
-  /// Pixels are handed to the network divided by 255, where it does not do that itself. The views are valid until the
-  /// next call.
+  /// R, G, B nearly always, or CV_8UC1. Pixels are handed to the network divided by 255, where it does not do that
+  /// itself. The views are valid until the next call.
   virtual Result<std::vector<TensorView>> Run(const cv::Mat& picture) = 0;
 
   /// Promises that no more is read from the next run on; what is not read may hold anything then. Engines need not

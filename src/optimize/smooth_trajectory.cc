@@ -8,6 +8,7 @@
 
 #include "geometry/usual_motion.h"
 #include "optimize/block_cholesky.h"
+#include "optimize/relative_pose.h"
 
 namespace yorb {
 namespace {
@@ -23,12 +24,9 @@ Matrix6d Precision(const Matrix6d& information) {
   return (information + kLeastInformation * Matrix6d::Identity()) / (kUnderstated * kUnderstated);
 }
 
-/// The step of Rigid3::FromStep that leads from one pose to another.
-Vector6d StepBetween(const Rigid3& from, const Rigid3& to) {
-  const Rigid3 step = to * from.Inverse();
-  Vector6d result;
-  result << VectorFromRotation(step.rotation), step.translation;
-  return result;
+/// The step that leads from what was measured to a pose.
+Vector6d StepFromMeasured(const MeasuredPose& measured, const Rigid3& cam_from_world) {
+  return StepFrom(cam_from_world * measured.cam_from_world.Inverse());
 }
 
 /// How the speed changes at the middle one of three poses: in the camera's axes for the turn, in the world's for the
@@ -111,12 +109,10 @@ BlockPattern Piece::PatternOf(uint32_t size) {
 /// More acceleration is allowed until the path keeps to what was measured.
 std::vector<Rigid3> Piece::Smooth() {
   constexpr double kMostChi2 = 3, kMostEase = 1e9;  // of six degrees of freedom; hand-held it is 0.1 to 0.9
-  for (double ease = 1; ease < kMostEase; ease *= 2) {
+  for (double ease = 1;; ease *= 2) {
     Minimize(ease);
-    if (MedianChi2() <= kMostChi2) return poses_;
+    if (MedianChi2() <= kMostChi2 || ease >= kMostEase) return poses_;
   }
-  for (size_t i = 0; i < size_; ++i) poses_[i] = measured_[i].cam_from_world;
-  return poses_;
 }
 
 void Piece::Minimize(double ease) {
@@ -144,7 +140,7 @@ void Piece::Linearize(double ease) {
   const auto right = [&](size_t i) { return right_.segment<6>(static_cast<Eigen::Index>(6 * i)); };
   for (size_t i = 0; i < size_; ++i) {
     blocks_[i] = precision_[i];
-    right(i) = -precision_[i] * StepBetween(measured_[i].cam_from_world, poses_[i]);
+    right(i) = -precision_[i] * StepFromMeasured(measured_[i], poses_[i]);
   }
   for (size_t i = 0; i + 2 < size_; ++i) {
     const Acceleration a = AccelerationAt(&poses_[i], seconds_[i], seconds_[i + 1]);
@@ -162,7 +158,7 @@ void Piece::Linearize(double ease) {
 double Piece::MedianChi2() const {
   std::vector<double> chi2(size_);
   for (size_t i = 0; i < size_; ++i) {
-    const Vector6d step = StepBetween(measured_[i].cam_from_world, poses_[i]);
+    const Vector6d step = StepFromMeasured(measured_[i], poses_[i]);
     chi2[i] = step.dot(precision_[i] * step);
   }
   const auto middle = chi2.begin() + static_cast<std::ptrdiff_t>(size_ / 2);

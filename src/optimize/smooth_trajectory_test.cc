@@ -32,11 +32,11 @@ Vector6d Noise(double sigma, Random& random) {
 }
 
 /// Poses that err by four times what they claim.
-std::vector<MeasuredPose> Measure(size_t size, double speed = 1, double rate = kRate) {
+std::vector<MeasuredPose> Measure(size_t size, double speed = 1) {
   Random random(7);
   std::vector<MeasuredPose> measured;
   for (size_t i = 0; i < size; ++i) {
-    const double seconds = static_cast<double>(i) / rate;
+    const double seconds = static_cast<double>(i) / kRate;
     const Rigid3 pose = Rigid3::FromStep(Noise(kUnderstated * kClaimed, random)) * TruthAt(speed * seconds);
     measured.push_back({StampOf(seconds), pose, Matrix6d::Identity() / (kClaimed * kClaimed)});
   }

@@ -24,9 +24,8 @@ class FrameLog {
   size_t num_frames() const;
 
   /// Everything so far, with the poses that `map` gives the frames now, one by one or as the likeliest path
-  /// (`SmoothTrajectory`).
-  /// Sub-maps with keyframes before `first_own`, of a map that was gone on from, come first: trajectory.txt is in its
-  /// world, or empty.
+  /// (`SmoothTrajectory`). Sub-maps with keyframes before `first_own`, of a map that was gone on from, come first:
+  /// trajectory.txt is in its world, or empty.
   SlamReport Report(const Map& map, KeyframeId first_own, bool smooth) const;
 
  private:
