@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "features/frame.h"
+#include "geometry/line_sight.h"
 #include "geometry/rigid3.h"
 
 namespace yorb {
@@ -75,6 +76,7 @@ struct Proposal {
   std::vector<LandmarkId> matches;  ///< a row a keypoint; inliers only
   std::vector<LandmarkCount> counts;
   Matrix6d information = Matrix6d::Zero();  ///< of cam_from_reference beside the landmarks, as in Tie
+  std::vector<LineSight> lines;             ///< the straight edges of the picture
 };
 
 }  // namespace yorb

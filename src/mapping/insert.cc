@@ -15,6 +15,7 @@ KeyframeId InsertKeyframe(Map& map, const Proposal& proposal) {
     const Rigid3 cam_from_reference = cam_from_world * map.Find(reference)->cam_from_world.Inverse();
     map.SetTie(id, {reference, cam_from_reference, proposal.information});
   }
+  map.SetLines(id, proposal.lines);
   for (const LandmarkCount& count : proposal.counts) map.Count(map.Resolve(count.id), count.visible, count.found);
   for (uint32_t i = 0; i < proposal.matches.size(); ++i) {
     if (!proposal.matches[i].IsValid()) continue;

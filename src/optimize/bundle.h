@@ -24,12 +24,21 @@ struct BundleProblem {
     Rigid3 to_from_from;
     Matrix6d information;
   };
+  /// A straight edge that a pose sees, and the direction in the world in which it is thought to run. The cost is half
+  /// of log(1 + error^2), Cauchy's, for error = normal_in_cam . rotation * direction_in_world / sigma: some run
+  /// otherwise.
+  struct Line {
+    uint32_t pose = 0;
+    Eigen::Vector3d normal_in_cam, direction_in_world;
+    double sigma = 0;
+  };
   Projection projection;
   std::vector<Rigid3> poses;   ///< cam_from_world
   std::vector<bool> is_fixed;  ///< a row a pose; at least one is fixed, or the problem floats
   std::vector<Eigen::Vector3d> points;
   std::vector<Seen> seen;
   std::vector<Tie> ties;
+  std::vector<Line> lines;
 };
 
 struct BundleOptions {

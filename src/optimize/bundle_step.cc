@@ -42,6 +42,14 @@ double CostOf(const BundleProblem::Tie& tie, const BundleValues& values) {
   return 0.5 * error.dot(tie.information * error);
 }
 
+/// How far a line is from running in its direction, in standard deviations.
+double ErrorOf(const BundleProblem::Line& line, const Eigen::Matrix3d& rotation) {
+  return line.normal_in_cam.dot(rotation * line.direction_in_world) / line.sigma;
+}
+
+/// Cauchy's loss and its derivative by the chi-square.
+Loss CauchyLoss(double chi2) { return {0.5 * std::log1p(chi2), 1 / (1 + chi2)}; }
+
 }  // namespace
 
 void BundleStepper::Begin(const BundleStructure& structure, bool use_huber) {
@@ -81,6 +89,10 @@ double BundleStepper::Cost(const BundleValues& values) {
     }
   }
   for (const BundleStructure::Tie& tie : structure_->ties) cost += CostOf(tie.tie, values);
+  for (const BundleStructure::Line& line : structure_->lines) {
+    const double error = ErrorOf(line.line, rotations_[line.line.pose]);
+    cost += CauchyLoss(error * error).cost;
+  }
   return cost;
 }
 
@@ -95,6 +107,7 @@ double BundleStepper::Linearize(const BundleValues& values) {
     LinearizePoint(point, values.points[point.row], point_blocks_[k]);
   }
   LinearizeTies(values);
+  LinearizeLines();
   return cost_;
 }
 
@@ -120,6 +133,18 @@ void BundleStepper::LinearizeTies(const BundleValues& values) {
     const bool is_from_first = tie.free_from < tie.free_to;
     const Matrix6d &first = is_from_first ? by_from : by_to, &second = is_from_first ? by_to : by_from;
     tie_blocks_[k] = first.transpose() * tie.tie.information * second;
+  }
+}
+
+void BundleStepper::LinearizeLines() {
+  for (const auto& [line, free] : structure_->lines) {
+    const Eigen::Vector3d direction_in_cam = rotations_[line.pose] * line.direction_in_world;
+    const Eigen::Vector3d jacobian = direction_in_cam.cross(line.normal_in_cam) / line.sigma;
+    const double error = line.normal_in_cam.dot(direction_in_cam) / line.sigma;
+    const Loss loss = CauchyLoss(error * error);
+    cost_ += loss.cost;
+    pose_hessians_[free].topLeftCorner<3, 3>().noalias() += loss.weight * jacobian * jacobian.transpose();
+    pose_gradients_[free].head<3>() += loss.weight * error * jacobian;
   }
 }
 

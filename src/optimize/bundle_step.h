@@ -51,6 +51,7 @@ class BundleStepper {
 
   void SetRotations(const BundleValues& values);
   void LinearizeTies(const BundleValues& values);
+  void LinearizeLines();
   void LinearizePoint(const BundleStructure::Point& point, const Eigen::Vector3d& x_in_world, PointBlock& block);
   bool Eliminate(const BundleStructure::Point& point, double damping, PointBlock& block);
   void BackSubstitute(const BundleStructure::Point& point, PointBlock& block) const;

@@ -30,15 +30,23 @@ BundleValues Moved(const BundleProblem& problem, int parameter, double by) {
   return values;
 }
 
-/// All errors in standard deviations, weighted by Huber at the problem's values.
+/// All errors in standard deviations, weighted by Huber (lines: by Cauchy) at the problem's values.
 Eigen::VectorXd Errors(const BundleProblem& problem, const BundleValues& values) {
-  Eigen::VectorXd errors(3 * static_cast<Eigen::Index>(problem.seen.size()));
+  const auto num_seen = static_cast<Eigen::Index>(problem.seen.size());
+  Eigen::VectorXd errors(3 * num_seen + static_cast<Eigen::Index>(problem.lines.size()));
   for (size_t k = 0; k < problem.seen.size(); ++k) {
     const auto& [pose, point, seen] = problem.seen[k];
     const double chi2 = Chi2(problem.poses[pose] * problem.points[point], seen, problem.projection);
     const double weight = RobustLoss(chi2, Chi2Bound(seen), true).weight * seen.inverse_variance;
     errors.segment<3>(3 * static_cast<Eigen::Index>(k)) =
         std::sqrt(weight) * ErrorPx(values.poses[pose] * values.points[point], seen, problem.projection);
+  }
+  for (size_t k = 0; k < problem.lines.size(); ++k) {
+    const auto& [pose, normal, direction, sigma] = problem.lines[k];
+    const auto error = [&, n = normal, d = direction, s = sigma](const Rigid3& p) { return n.dot(p.rotation * d) / s; };
+    const double at_first = error(problem.poses[pose]);
+    errors[3 * num_seen + static_cast<Eigen::Index>(k)] =
+        error(values.poses[pose]) / std::sqrt(1 + at_first * at_first);
   }
   return errors;
 }
@@ -60,7 +68,15 @@ TEST(BundleStepper, StepsAsTheDenseNumericTwinDoes) {
   options.poses = 4, options.points = 30, options.fixed = 1;
   options.range = 0.5;
   options.noise = {1, 0.2, 0.2};
-  const BundleProblem problem = MakeWorld(options).problem;
+  BundleProblem problem = MakeWorld(options).problem;
+  Random random(1);
+  for (uint32_t pose = 0; pose < options.poses; ++pose) {
+    for (int k = 0; k < 5; ++k) {
+      const Eigen::Vector3d direction = InCube(random, 1).normalized();
+      const Eigen::Vector3d normal = direction.cross(InCube(random, 1)).normalized();
+      problem.lines.push_back({pose, problem.poses[pose].rotation * normal, direction + InCube(random, 0.03), 0.01});
+    }
+  }
   const DenseTwin twin = MakeTwin(problem);
   const BundleStructure structure = MakeBundleStructure(problem, std::vector<bool>(problem.seen.size(), true));
   BundleStepper stepper(problem.projection);

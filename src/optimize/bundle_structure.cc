@@ -123,6 +123,15 @@ void AddTies(const BundleProblem& problem, const std::vector<uint32_t>& free_of_
   }
 }
 
+/// Takes in the lines that free poses see. Those that are not finite do not count.
+void AddLines(const BundleProblem& problem, const std::vector<uint32_t>& free_of_pose, BundleStructure& structure) {
+  for (const BundleProblem::Line& line : problem.lines) {
+    const uint32_t free = free_of_pose[line.pose];
+    const bool is_whole = line.normal_in_cam.allFinite() && line.direction_in_world.allFinite() && line.sigma > 0;
+    if (free != BundleStructure::kNone && is_whole) structure.lines.push_back({line, free});
+  }
+}
+
 /// The free poses that ties join to each free pose, of those after it.
 std::vector<std::vector<uint32_t>> TiedTo(const BundleStructure& structure) {
   std::vector<std::vector<uint32_t>> tied(structure.free_poses.size());
@@ -190,6 +199,7 @@ BundleStructure MakeBundleStructure(const BundleProblem& problem, const std::vec
   const std::vector<uint32_t> free_of_pose = NumberFreePoses(problem, rows, structure.free_poses);
   AddEntries(problem, rows, free_of_pose, structure);
   AddTies(problem, free_of_pose, structure);
+  AddLines(problem, free_of_pose, structure);
   AddPairs(structure);
   PlaceTies(structure);
   return structure;

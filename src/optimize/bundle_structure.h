@@ -35,7 +35,13 @@ struct BundleStructure {
     uint32_t slot = kNone;                        ///< the block of both, if both are free
   };
 
+  struct Line {
+    BundleProblem::Line line;
+    uint32_t free = kNone;
+  };
+
   std::vector<Tie> ties;             ///< those with a free pose
+  std::vector<Line> lines;           ///< those of a free pose
   std::vector<Entry> entries;        ///< by point, then by pose
   std::vector<Point> points;         ///< those that are seen
   std::vector<uint32_t> links;       ///< the link's row of `free_poses`; rising within a point

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "optimize/compass.h"
 #include "optimize/observed.h"
 
 namespace yorb {
@@ -56,6 +57,37 @@ void AddTies(const Map& map, const RowOf& row_of, NamedProblem& named) {
   }
 }
 
+/// The direction that a line seen from a pose is nearest to; null where it runs otherwise.
+const Eigen::Vector3d* NearestOf(const std::vector<Eigen::Vector3d>& directions,
+                                 const Eigen::Vector3d& normal_in_world) {
+  constexpr double kNear = 0.07;  // the sine of 4 degrees: further off than turns drift between keyframes
+  const Eigen::Vector3d* nearest = nullptr;
+  double least = kNear;
+  for (const Eigen::Vector3d& direction : directions) {
+    const double sine = std::abs(normal_in_world.dot(direction));
+    if (sine >= least) continue;
+    least = sine;
+    nearest = &direction;
+  }
+  return nearest;
+}
+
+/// The straight edges that run as those of their sub-map do, of keyframes that may move. A part lies in one sub-map.
+void AddLines(const Map& map, NamedProblem& named) {
+  if (named.keyframes.empty()) return;
+  const std::vector<Eigen::Vector3d> directions = DirectionsOf(map, map.Find(named.keyframes.front())->root);
+  for (uint32_t row = 0; row < named.keyframes.size(); ++row) {
+    if (named.problem.is_fixed[row]) continue;
+    const Keyframe& keyframe = *map.Find(named.keyframes[row]);
+    const Eigen::Matrix3d world_from_cam = keyframe.cam_from_world.rotation.conjugate().toRotationMatrix();
+    for (const LineSight& line : keyframe.lines) {
+      const Eigen::Vector3d normal = line.normal.cast<double>();
+      const Eigen::Vector3d* direction = NearestOf(directions, world_from_cam * normal);
+      if (direction) named.problem.lines.push_back({row, normal, *direction, line.sigma});
+    }
+  }
+}
+
 NamedProblem Collect(const Map& map, const MapBundlePart& part) {
   NamedProblem named;
   for (const KeyframeId id : part.inside) {
@@ -70,6 +102,7 @@ NamedProblem Collect(const Map& map, const MapBundlePart& part) {
   const RowOf row_of = RowsOf(named.keyframes);
   AddLandmarks(map, row_of, named);
   AddTies(map, row_of, named);
+  AddLines(map, named);
   return named;
 }
 

@@ -11,6 +11,7 @@
 #include "map/synthetic_world.h"
 #include "optimize/global_bundle.h"
 #include "optimize/local_bundle.h"
+#include "optimize/test_lines.h"
 #include "optimize/test_problems.h"
 
 namespace yorb {
@@ -179,6 +180,28 @@ TEST_F(MapBundleTest, ATieOutlivesTheKeyframeAtItsOtherEnd) {
   ASSERT_TRUE(adjusted);
   const Rigid3 wanted = last_from_other * other_from_above * map_.Find(above)->cam_from_world;
   EXPECT_LT((adjusted->OriginInSource() - wanted.OriginInSource()).norm(), 1e-4);
+}
+
+/// The last keyframe, whose landmarks nobody else sees, is tilted; straight edges of the room say how it stands.
+TEST_F(MapBundleTest, StraightEdgesRightAKeyframe) {
+  Random random(2);
+  const auto turn_left = [&](bool has_lines) {
+    for (size_t k = 0; k < keyframes_.size(); ++k) {
+      map_.SetPose(keyframes_[k], truth_[k]);
+      map_.SetLines(keyframes_[k], has_lines ? LinesOfARoom(truth_[k].rotation, 20, random) : std::vector<LineSight>());
+    }
+    const Rigid3 tilted = Rigid3(RotationFromVector({0.03, 0, -0.03}), Eigen::Vector3d::Zero()) * truth_.back();
+    map_.SetPose(keyframes_.back(), tilted);
+    const auto adjusted = AdjustedAround(keyframes_.back());
+    return (adjusted.value_or(tilted) * truth_.back().Inverse()).RotationAngle();
+  };
+  LeaveAlone(keyframes_.back());
+  const Rigid3 step = truth_.back() * truth_[kKeyframes - 2].Inverse();
+  Matrix6d place_only = Matrix6d::Zero();
+  place_only.bottomRightCorner<3, 3>() = 1e6 * Eigen::Matrix3d::Identity();
+  map_.SetTie(keyframes_.back(), {keyframes_[kKeyframes - 2], step, place_only});
+  EXPECT_GT(turn_left(false), 0.03);
+  EXPECT_LT(turn_left(true), 0.003);
 }
 
 }  // namespace

@@ -218,6 +218,7 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
     const cv::Mat covered = areas.Covered(images.grey.size());
     extracted.sight.depth = grids_.Make(images.depth, covered);
     extracted.sight.hidden = ShareOf(covered);
+    extracted.sight.covered = covered;
   }
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };

@@ -256,7 +256,7 @@ TEST(River, MotionCarriesOnForThreeFramesWherePeopleHideAll) {
     const bool is_hidden = k == 8 || (k >= 12 && k < 16), is_dark = k == 22;
     const SyntheticWorld& seen = is_hidden || is_dark ? dark : world;
     const FrameRecord record = river.Push(seen.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame,
-                                          {{}, {}, is_hidden ? 0.8 : 0.1});
+                                          {{}, {}, {}, is_hidden ? 0.8 : 0.1});
     if (k == 15 || is_dark) {
       EXPECT_NE(record.state, TrackingState::kTracking) << "not for long, and never where nothing hides the view";
       continue;
@@ -283,7 +283,7 @@ TEST(River, AfterFramesWithoutAPointAFewProveNothing) {
     for (int k = 0; k < 12; ++k) {
       FramePtr frame = world.Look(PoseAt(k), FrameId(static_cast<uint32_t>(k)), TimeOf(k)).frame;
       if (k == 10 && was_hidden) frame = WithoutRows(frame, std::vector<bool>(frame->size(), true));
-      record = river.Push(k == 11 ? few_of(frame) : frame, {{}, {}, k >= 10 ? 0.8 : 0.1});
+      record = river.Push(k == 11 ? few_of(frame) : frame, {{}, {}, {}, k >= 10 ? 0.8 : 0.1});
     }
     EXPECT_EQ(record.state, TrackingState::kTracking);
     EXPECT_EQ(record.num_inliers > 0, !was_hidden);

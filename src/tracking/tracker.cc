@@ -8,6 +8,7 @@
 #include "tracking/keyframe_policy.h"
 #include "tracking/leave_out.h"
 #include "tracking/same_picture.h"
+#include "tracking/seen_lines.h"
 #include "tracking/shutter.h"
 
 namespace yorb {
@@ -73,7 +74,8 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   tracked.record.reference = first;
   tracked.record.information = kSure * Matrix6d::Identity();
   tracked.record.num_matched = tracked.record.num_inliers = num_points;
-  tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}};
+  tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}, Matrix6d::Zero(), {}};
+  if (options_.straight_edges) tracked.proposal->lines = SeeLines(sight_, *frame, {});
   last_proposal_ = frame->timestamp;
   frames_since_proposal_ = 0;
   return tracked;
@@ -343,6 +345,9 @@ bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
   Proposal proposal{frame, last_.place.reference, last_.place.cam_from_reference, fix.matches, {}, {}};
   proposal.information = BesideLandmarks(*frame, fix);
+  if (options_.straight_edges) {
+    proposal.lines = SeeLines(sight_, *frame, motion_.RateWhileReading(frame->rig->readout_s));
+  }
   proposal.counts.reserve(counts_.size());
   for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found, count.gone});
   counts_.clear();

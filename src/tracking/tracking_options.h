@@ -22,6 +22,7 @@ struct TrackingOptions {
   double keyframe_turn_deg = 15;     ///< or has turned so far from it
   double keyframe_interval_s = 1.0;  ///< after so long one that is due does not wait for the mapper
   double relocalize_radius_px = 30;  ///< search about a coarse pose
+  bool straight_edges = true;        ///< in the pictures of keyframes keep the map from turning
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -39,6 +40,7 @@ struct TrackingOptions {
     visit("keyframe_turn_deg", self.keyframe_turn_deg, Range(0, 180));
     visit("keyframe_interval_s", self.keyframe_interval_s, Range(0, 3600));
     visit("relocalize_radius_px", self.relocalize_radius_px, Range(1, 200));
+    visit("straight_edges", self.straight_edges, AnyValue());
   }
 };
 

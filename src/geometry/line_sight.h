@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The yorb-slam authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace yorb {
+
+/// A straight line of the world as one picture shows it: somewhere in a plane through the camera's centre. Where the
+/// camera stands does not matter to which way the line runs.
+struct LineSight {
+  Eigen::Vector3f normal;  ///< of that plane, in the camera frame; length 1, either sign
+  float sigma = 0;         ///< of normal . direction, for the direction in which the line is thought to run
+};
+
+}  // namespace yorb
