@@ -12,6 +12,7 @@
 #include "features/blur.h"
 #include "features/descriptor.h"
 #include "features/hamming.h"
+#include "features/line_segments.h"
 #include "features/orb_extractor.h"
 #include "features/original_extractor.h"
 #include "features/pyramid.h"
@@ -141,6 +142,11 @@ void BM_Descriptor(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_Descriptor)->ArgName("wide")->Arg(0)->Arg(1);
+
+void BM_LineSegments(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(FindLineSegments(Picture()));
+}
+BENCHMARK(BM_LineSegments)->Unit(benchmark::kMillisecond);
 
 void BM_Hamming(benchmark::State& state) {
   Random random(1);

@@ -15,8 +15,9 @@ struct LineSegment {
 
 /// The straight edges of a picture (CV_8UC1) that are long enough, a twentieth of its width, to say which way they run:
 /// OpenCV's detector after Grompone von Gioi et al., "LSD: A Fast Line Segment Detector with a False Detection
-/// Control", 2010, on the picture reduced to 320 pixels' width: twice as fast, and as exact for directions. Edges with
-/// an end or the middle under `hidden` (CV_8UC1 of the same size, non-zero; may be empty) are left out.
+/// Control", 2010, on the picture reduced to 300 pixels' width: three times as fast, and nearly as exact for
+/// directions. Edges with an end or the middle under `hidden` (CV_8UC1, non-zero; may be empty, or have fewer pixels:
+/// it lies over the whole picture) are left out.
 std::vector<LineSegment> FindLineSegments(const cv::Mat& grey, const cv::Mat& hidden = {});
 
 }  // namespace yorb

@@ -40,11 +40,14 @@ TEST(FindLineSegments, FindsTheSidesOfAQuadrangle) {
 }
 
 TEST(FindLineSegments, LeavesOutWhatIsHiddenAndWhatIsShort) {
-  cv::Mat hidden(480, 640, CV_8UC1, cv::Scalar(0));
-  hidden(cv::Rect(0, 0, 640, 200)).setTo(1);  // the upper side, and an end of those beside it
-  const auto segments = FindLineSegments(Quadrangle(kCorners), hidden);
-  EXPECT_EQ(OffDeg(segments, kCorners[0], kCorners[1]), 90);
-  EXPECT_LT(OffDeg(segments, kCorners[2], kCorners[3]), 0.3);
+  for (const int cell_px : {1, 8}) {
+    cv::Mat hidden(480 / cell_px, 640 / cell_px, CV_8UC1, cv::Scalar(0));
+    hidden.rowRange(0, 200 / cell_px).setTo(1);  // the upper side, and an end of those beside it
+    const auto segments = FindLineSegments(Quadrangle(kCorners), hidden);
+    EXPECT_EQ(OffDeg(segments, kCorners[0], kCorners[1]), 90) << cell_px;
+    EXPECT_EQ(OffDeg(segments, kCorners[1], kCorners[2]), 90) << cell_px;
+    EXPECT_LT(OffDeg(segments, kCorners[2], kCorners[3]), 0.3) << cell_px;
+  }
   EXPECT_TRUE(FindLineSegments(Quadrangle({{300, 200}, {320, 200}, {320, 220}, {300, 220}})).empty());
 }
 

@@ -3,8 +3,10 @@
 // Our optimisers beside Ceres on the same problems, one thread.
 #include <benchmark/benchmark.h>
 
+#include "geometry/common_directions.h"
 #include "optimize/ceres_oracle.h"
 #include "optimize/pose_graph_oracle.h"
+#include "optimize/test_lines.h"
 #include "optimize/test_pose_graphs.h"
 #include "optimize/test_tours.h"
 
@@ -25,6 +27,18 @@ void PoseCeres(benchmark::State& state) {
   }
 }
 BENCHMARK(PoseCeres)->Unit(benchmark::kMicrosecond);
+
+/// What the lines of 100 keyframes have in common.
+void Directions(benchmark::State& state) {
+  Random random(1);
+  std::vector<LinePlane> planes;
+  for (int k = 0; k < 100; ++k) {
+    for (const LineSight& line : LinesOfARoom(Eigen::Quaterniond::Identity(), 15, random))
+      planes.push_back({line.normal, 1});
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(CommonDirections(planes));
+}
+BENCHMARK(Directions)->Unit(benchmark::kMillisecond);
 
 /// A neighbourhood: 20 keyframes, 2000 points, 12000 observations.
 WorldProblem LocalWorld() {

@@ -214,11 +214,10 @@ Pipeline::Extracted Pipeline::Remove(const ImageSet& images, Features features, 
   record.num_boxes = static_cast<int>(areas.boxes().size());
   record.num_bridged = areas.num_bridged();
   if (parts_.watch) extracted.judged = Judged{images, features.keypoints, verdicts, areas};
+  extracted.sight.covered = areas.Covered(images.grey.size());
   if (dynamics_ != Dynamics::kOff) {
-    const cv::Mat covered = areas.Covered(images.grey.size());
-    extracted.sight.depth = grids_.Make(images.depth, covered);
-    extracted.sight.hidden = ShareOf(covered);
-    extracted.sight.covered = covered;
+    extracted.sight.depth = grids_.Make(images.depth, extracted.sight.covered);
+    extracted.sight.hidden = ShareOf(extracted.sight.covered);
   }
   record.remove_ms = watch.ms();
   const auto is_dynamic = [&](size_t i) { return verdicts[i] == Verdict::kDynamic; };

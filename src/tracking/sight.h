@@ -12,7 +12,7 @@ namespace yorb {
 struct Sight {
   DepthGrid depth;    ///< what moves is looked for in it, and surfaces hold a pose that its points leave unsure
   cv::Mat grey;       ///< CV_8UC1: points that descriptors do not find again are followed in it
-  cv::Mat covered;    ///< CV_8UC1 of the same size, non-zero where moving things are
+  cv::Mat covered;    ///< CV_8UC1, in cells of some pixels: non-zero on moving things and under the user's masks
   double hidden = 0;  ///< share of the picture that is behind moving things
 };
 
