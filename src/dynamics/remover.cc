@@ -259,10 +259,12 @@ cv::Mat MovingAreas::Covered(const cv::Size& size) const {
   if (!has_boxes && ignored_.empty()) return bodies_;
   const cv::Size cells(std::max(1, size.width / kDepthCellPx), std::max(1, size.height / kDepthCellPx));
   cv::Mat covered = bodies_.size() == cells ? bodies_.clone() : cv::Mat::zeros(cells, CV_8UC1);
-  if (has_boxes) {
-    for (const Box& box : boxes_) {
-      const CellRange range = CellsOf(box, cells.width, cells.height);
-      if (range.size() > 0) covered(cv::Range(range.top, range.bottom), cv::Range(range.left, range.right)).setTo(1);
+  for (int row = 0; has_boxes && row < covered.rows; ++row) {  // as points are judged
+    for (int column = 0; column < covered.cols; ++column) {
+      Keypoint middle;
+      middle.x = (static_cast<float>(column) + 0.5f) * kDepthCellPx;
+      middle.y = (static_cast<float>(row) + 0.5f) * kDepthCellPx;
+      if (rules_.Judge(middle) == Verdict::kDynamic) covered.at<uint8_t>(row, column) = 1;
     }
   }
   if (!ignored_.empty()) {
