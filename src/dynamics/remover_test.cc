@@ -333,6 +333,15 @@ TEST(Remover, NoWallIsMeasuredInABoxNorUnderAMask) {
   }
 }
 
+TEST(Remover, WhatStandsBeforeSomebodyIsNotCovered) {
+  const Scene scene = MakeScene(1.5);
+  Box table = scene.box;
+  table.name = "dining table";
+  Remover remover(Dynamics::kPaper, MotionTable::Default(), 1.2);
+  const auto areas = remover.Look(scene.images, {{true, {scene.box, table}}, scene.images.timestamp});
+  EXPECT_EQ(cv::countNonZero(areas.Covered({kWidth, kHeight})), 0);
+}
+
 TEST(Kept, KeepsTheOrder) {
   Features features;
   for (int i = 0; i < 5; ++i) {
