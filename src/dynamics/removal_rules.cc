@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "dynamics/depth_cells.h"
+
 namespace yorb {
 namespace {
 
@@ -52,6 +54,18 @@ Verdict BoxRules::Judge(const Keypoint& point) const {
     return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) { return HoldsPixel(box, point); });
   };
   return (is_in(high_) && !is_in(still_)) || is_in(carried_) ? Verdict::kDynamic : Verdict::kStatic;
+}
+
+void BoxRules::Mark(cv::Mat& cells) const {
+  const auto paint = [&](const std::vector<Box>& boxes, int value) {
+    for (const Box& box : boxes) {
+      const CellRange range = CellsOf(box, cells.cols, cells.rows);
+      if (range.size() > 0) cells(cv::Range(range.top, range.bottom), cv::Range(range.left, range.right)).setTo(value);
+    }
+  };
+  paint(high_, 1);
+  paint(still_, 0);
+  paint(carried_, 1);
 }
 
 }  // namespace yorb

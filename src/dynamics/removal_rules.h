@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <opencv2/core.hpp>
 #include <vector>
 
 #include "detection/box.h"
@@ -39,6 +40,9 @@ class BoxRules {
   explicit BoxRules(const std::vector<SortedBox>& boxes);
 
   Verdict Judge(const Keypoint& point) const;
+
+  /// The same for cells of depth (CV_8UC1, all 0): marks the dynamic ones; a box has the cells that it touches.
+  void Mark(cv::Mat& cells) const;
 
  private:
   std::vector<Box> high_, still_;

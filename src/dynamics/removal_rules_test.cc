@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "dynamics/depth_cells.h"
+
 namespace yorb {
 namespace {
 
@@ -43,6 +45,19 @@ TEST(BoxRules, WhatDoesNotMoveByItselfMovesWithWhoTouchesIt) {
   EXPECT_EQ(rules.Judge(At(240, 310)), Verdict::kDynamic);
   EXPECT_EQ(rules.Judge(At(430, 250)), Verdict::kStatic);
   EXPECT_EQ(RulesOf({kChair}).Judge(At(240, 310)), Verdict::kStatic) << "nobody there";
+}
+
+TEST(BoxRules, CellsAreMarkedAsPointsAreJudged) {
+  const Box table{"dining table", 0.8, 88, 248, 300, 400};  // like the others, on the borders of cells
+  const BoxRules rules = RulesOf({kPerson, table, kChair, kFarChair});
+  cv::Mat cells(480 / kDepthCellPx, 640 / kDepthCellPx, CV_8UC1, cv::Scalar(0));
+  rules.Mark(cells);
+  for (int row = 0; row < cells.rows; ++row) {
+    for (int column = 0; column < cells.cols; ++column) {
+      const Keypoint point = At(static_cast<float>(column * kDepthCellPx), static_cast<float>(row * kDepthCellPx));
+      ASSERT_EQ(cells.at<uint8_t>(row, column) != 0, rules.Judge(point) == Verdict::kDynamic) << column << ' ' << row;
+    }
+  }
 }
 
 TEST(BoxRules, UnknownThingsAreStatic) {

@@ -259,14 +259,7 @@ cv::Mat MovingAreas::Covered(const cv::Size& size) const {
   if (!has_boxes && ignored_.empty()) return bodies_;
   const cv::Size cells(std::max(1, size.width / kDepthCellPx), std::max(1, size.height / kDepthCellPx));
   cv::Mat covered = bodies_.size() == cells ? bodies_.clone() : cv::Mat::zeros(cells, CV_8UC1);
-  for (int row = 0; has_boxes && row < covered.rows; ++row) {  // as points are judged
-    for (int column = 0; column < covered.cols; ++column) {
-      Keypoint middle;
-      middle.x = (static_cast<float>(column) + 0.5f) * kDepthCellPx;
-      middle.y = (static_cast<float>(row) + 0.5f) * kDepthCellPx;
-      if (rules_.Judge(middle) == Verdict::kDynamic) covered.at<uint8_t>(row, column) = 1;
-    }
-  }
+  if (has_boxes) rules_.Mark(covered);
   if (!ignored_.empty()) {
     cv::Mat ignored;
     cv::resize(ignored_ != 0, ignored, cells, 0, 0, cv::INTER_AREA);

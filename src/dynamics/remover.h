@@ -40,8 +40,8 @@ class MovingAreas {
   int num_bridged() const { return num_bridged_; }
   /// CV_8UC1, a pixel a cell of depth: not 0 on moving bodies; empty where only boxes count.
   const cv::Mat& bodies() const { return bodies_; }
-  /// CV_8UC1, a pixel a cell of pictures of `size`: not 0 where no wall or floor is measured: on bodies, in whole
-  /// boxes where only they count, under the user's masks. Empty: nowhere.
+  /// CV_8UC1, a pixel a cell of pictures of `size`: not 0 where no wall or floor is measured: on bodies; where
+  /// only boxes count, in those, as points in them are judged; under the user's masks. Empty: nowhere.
   cv::Mat Covered(const cv::Size& size) const;
 
  private:

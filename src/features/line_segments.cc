@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "camera/mask.h"
+
 namespace yorb {
 namespace {
 
-/// Whether a place of a picture lies in a cell that is hidden.
-bool IsUnder(const cv::Mat& hidden, const cv::Size& picture, const Eigen::Vector2f& px) {
-  const auto cell = [](float at, int pixels, int cells) {
-    const float cells_a_pixel = static_cast<float>(cells) / static_cast<float>(pixels);
-    return std::clamp(static_cast<int>((at + 0.5f) * cells_a_pixel), 0, cells - 1);
-  };
-  return hidden.at<uint8_t>(cell(px.y(), picture.height, hidden.rows), cell(px.x(), picture.width, hidden.cols)) != 0;
+/// The pixel of a picture at a place, or the nearest to it.
+cv::Point PixelAt(const Eigen::Vector2f& px, const cv::Size& size) {
+  return {std::clamp(cvRound(px.x()), 0, size.width - 1), std::clamp(cvRound(px.y()), 0, size.height - 1)};
 }
 
 }  // namespace
@@ -40,11 +38,11 @@ std::vector<LineSegment> FindLineSegments(const cv::Mat& grey, const cv::Mat& hi
   for (const cv::Vec4f& ends : found) {
     const LineSegment segment{full_px(ends[0], ends[1]), full_px(ends[2], ends[3])};
     if ((segment.to_px - segment.from_px).norm() < least_px) continue;
+    const auto is_hidden = [&](const Eigen::Vector2f& px) {
+      return IsMarked(hidden, PixelAt(px, grey.size()), grey.size());
+    };
     const Eigen::Vector2f middle_px = 0.5f * (segment.from_px + segment.to_px);
-    const bool is_hidden =
-        !hidden.empty() && (IsUnder(hidden, grey.size(), segment.from_px) ||
-                            IsUnder(hidden, grey.size(), segment.to_px) || IsUnder(hidden, grey.size(), middle_px));
-    if (!is_hidden) segments.push_back(segment);
+    if (!is_hidden(segment.from_px) && !is_hidden(segment.to_px) && !is_hidden(middle_px)) segments.push_back(segment);
   }
   return segments;
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <vector>
 
 namespace yorb {
 
@@ -12,5 +14,8 @@ struct LineSight {
   Eigen::Vector3f normal;  ///< of that plane, in the camera frame; length 1, either sign
   float sigma = 0;         ///< of normal . direction, for the direction in which the line is thought to run
 };
+
+/// What one picture shows of them, shared and never copied; null where nobody looked.
+using LineSightsPtr = std::shared_ptr<const std::vector<LineSight>>;
 
 }  // namespace yorb

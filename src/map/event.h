@@ -76,7 +76,7 @@ struct Proposal {
   std::vector<LandmarkId> matches;  ///< a row a keypoint; inliers only
   std::vector<LandmarkCount> counts;
   Matrix6d information = Matrix6d::Zero();  ///< of cam_from_reference beside the landmarks, as in Tie
-  std::vector<LineSight> lines;             ///< the straight edges of the picture
+  LineSightsPtr lines;                      ///< the straight edges of the picture
 };
 
 }  // namespace yorb

@@ -30,7 +30,7 @@ struct Keyframe {
   std::vector<KeyframeId> children;
   std::shared_ptr<const Bag> bag;  ///< the words of its descriptors; null: not known
   std::optional<Tie> tie;          ///< to an older keyframe
-  std::vector<LineSight> lines;    ///< the straight edges of its picture; map files do not have them
+  LineSightsPtr lines;             ///< the straight edges of its picture; null: not known, as in map files
   std::vector<KeyframeId> loops;   ///< keyframes that were found to show the same place when a loop was closed
 
   /// The neighbours that share at least `min_weight` landmarks, the strongest first, `count` at most.

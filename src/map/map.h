@@ -58,11 +58,11 @@ class Map {
   size_t num_landmarks() const { return landmarks_.size(); }
   KeyframeId newest_keyframe() const { return newest_keyframe_; }
 
+  /// The ids that the next ones will have.
   KeyframeId next_keyframe() const { return keyframes_.next_id(); }
   LandmarkId next_landmark() const { return landmarks_.next_id(); }
 
-  /// Loops that were closed.
-  size_t num_loops() const { return num_loops_; }
+  size_t num_loops() const { return num_loops_; }  ///< that were closed
 
   /// The first broken invariant in words, empty when all hold. Slow: for tests.
   std::string Check() const;
@@ -95,7 +95,7 @@ class Map {
 
   void SetPose(KeyframeId id, const Rigid3& cam_from_world) { keyframes_.Writable(id).cam_from_world = cam_from_world; }
   void SetTie(KeyframeId id, const Tie& tie) { keyframes_.Writable(id).tie = tie; }
-  void SetLines(KeyframeId id, std::vector<LineSight> lines) { keyframes_.Writable(id).lines = std::move(lines); }
+  void SetLines(KeyframeId id, LineSightsPtr lines) { keyframes_.Writable(id).lines = std::move(lines); }
   void SetBag(KeyframeId id, std::shared_ptr<const Bag> bag) { keyframes_.Writable(id).bag = std::move(bag); }
   void SetPosition(LandmarkId id, const Eigen::Vector3d& x_in_world) { landmarks_.Writable(id).position = x_in_world; }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/mask.h"
+
 namespace yorb {
 namespace {
 
@@ -17,12 +19,6 @@ constexpr int kLeastSamples = 3;     // of a cell
 bool IsOneSurface(float nearest, float farthest) {
   constexpr float kBase = 0.03f, kSlope = 0.04f;
   return farthest < kFarthest && farthest - nearest < kBase + kSlope * farthest;
-}
-
-/// Whether a pixel of a picture is marked in a mask of another scale.
-bool IsMarked(const cv::Mat& mask, const cv::Point& pixel, const cv::Size& size) {
-  if (mask.empty()) return false;
-  return mask.at<uint8_t>(pixel.y * mask.rows / size.height, pixel.x * mask.cols / size.width) != 0;
 }
 
 /// Up to where a cell and all about it are free: the least of nine.

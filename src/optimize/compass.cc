@@ -11,7 +11,7 @@ std::vector<Eigen::Vector3d> DirectionsOf(const Map& map, KeyframeId root) {
   constexpr size_t kEnoughKeyframes = 100;
   std::vector<const Keyframe*> seeing;
   map.VisitKeyframes([&](const Keyframe& keyframe) {
-    if (keyframe.root == root && !keyframe.lines.empty()) seeing.push_back(&keyframe);
+    if (keyframe.root == root && keyframe.lines) seeing.push_back(&keyframe);
   });
   const size_t step = (seeing.size() + kEnoughKeyframes - 1) / kEnoughKeyframes;
   std::vector<LinePlane> planes;
@@ -19,7 +19,7 @@ std::vector<Eigen::Vector3d> DirectionsOf(const Map& map, KeyframeId root) {
     const Eigen::Matrix3f world_from_cam =
         seeing[k]->cam_from_world.rotation.conjugate().toRotationMatrix().cast<float>();
     const float weight = kHalved / (kHalved + static_cast<float>(k));
-    for (const LineSight& line : seeing[k]->lines) {
+    for (const LineSight& line : *seeing[k]->lines) {
       planes.push_back({world_from_cam * line.normal, weight / (line.sigma * line.sigma)});
     }
   }

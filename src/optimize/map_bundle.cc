@@ -77,10 +77,10 @@ void AddLines(const Map& map, NamedProblem& named) {
   if (named.keyframes.empty()) return;
   const std::vector<Eigen::Vector3d> directions = DirectionsOf(map, map.Find(named.keyframes.front())->root);
   for (uint32_t row = 0; row < named.keyframes.size(); ++row) {
-    if (named.problem.is_fixed[row]) continue;
     const Keyframe& keyframe = *map.Find(named.keyframes[row]);
+    if (named.problem.is_fixed[row] || !keyframe.lines) continue;
     const Eigen::Matrix3d world_from_cam = keyframe.cam_from_world.rotation.conjugate().toRotationMatrix();
-    for (const LineSight& line : keyframe.lines) {
+    for (const LineSight& line : *keyframe.lines) {
       const Eigen::Vector3d normal = line.normal.cast<double>();
       const Eigen::Vector3d* direction = NearestOf(directions, world_from_cam * normal);
       if (direction) named.problem.lines.push_back({row, normal, *direction, line.sigma});

@@ -188,7 +188,7 @@ TEST_F(MapBundleTest, StraightEdgesRightAKeyframe) {
   const auto turn_left = [&](bool has_lines) {
     for (size_t k = 0; k < keyframes_.size(); ++k) {
       map_.SetPose(keyframes_[k], truth_[k]);
-      map_.SetLines(keyframes_[k], has_lines ? LinesOfARoom(truth_[k].rotation, 20, random) : std::vector<LineSight>());
+      map_.SetLines(keyframes_[k], has_lines ? LinesOfARoom(truth_[k].rotation, 20, random) : nullptr);
     }
     const Rigid3 tilted = Rigid3(RotationFromVector({0.03, 0, -0.03}), Eigen::Vector3d::Zero()) * truth_.back();
     map_.SetPose(keyframes_.back(), tilted);

@@ -33,7 +33,7 @@ void Directions(benchmark::State& state) {
   Random random(1);
   std::vector<LinePlane> planes;
   for (int k = 0; k < 100; ++k) {
-    for (const LineSight& line : LinesOfARoom(Eigen::Quaterniond::Identity(), 15, random))
+    for (const LineSight& line : *LinesOfARoom(Eigen::Quaterniond::Identity(), 15, random))
       planes.push_back({line.normal, 1});
   }
   for (auto _ : state) benchmark::DoNotOptimize(CommonDirections(planes));

@@ -12,7 +12,7 @@ namespace yorb {
 
 /// Straight edges of a room whose walls stand along the axes of the world, `count` of each direction and as many that
 /// run anyhow, as a camera that is turned like this sees them.
-inline std::vector<LineSight> LinesOfARoom(const Eigen::Quaterniond& cam_from_world, int count, Random& random) {
+inline LineSightsPtr LinesOfARoom(const Eigen::Quaterniond& cam_from_world, int count, Random& random) {
   constexpr float kSigma = 0.01f;
   const auto any = [&] {
     return Eigen::Vector3d(random.Gaussian(), random.Gaussian(), random.Gaussian()).normalized();
@@ -25,7 +25,7 @@ inline std::vector<LineSight> LinesOfARoom(const Eigen::Quaterniond& cam_from_wo
     }
     lines.push_back({any().cast<float>(), kSigma});
   }
-  return lines;
+  return std::make_shared<const std::vector<LineSight>>(std::move(lines));
 }
 
 }  // namespace yorb

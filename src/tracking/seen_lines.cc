@@ -9,10 +9,9 @@
 
 namespace yorb {
 
-std::vector<LineSight> SeeLines(const Sight& sight, const Frame& frame, const std::optional<CameraRate>& rate) {
+LineSightsPtr SeeLines(const Sight& sight, const Frame& frame, const std::optional<CameraRate>& rate) {
   constexpr float kPixels = 0.7f;     // of one end against the other
   constexpr float kCrooked = 0.006f;  // a third of a degree: houses and shelves are not exact
-  constexpr double kFarAway = 1e3;    // only the turn counts
   const Rig& rig = *frame.rig;
   const std::vector<LineSegment> segments = FindLineSegments(sight.grey, sight.covered);
   std::vector<Eigen::Vector2f> ends_px;
@@ -22,12 +21,9 @@ std::vector<LineSight> SeeLines(const Sight& sight, const Frame& frame, const st
     ends_px.push_back(segment.to_px);
   }
   const std::vector<Eigen::Vector2f> ideal_px = rig.camera.Undistort(ends_px);
-  const float median = frame.MedianDepth();
-  const double depth = median > 0 ? median : kFarAway;
-  const auto ray = [&](size_t i) -> Eigen::Vector3d {
-    const Eigen::Vector3d x_in_cam = rig.camera.Unproject(ideal_px[i].x(), ideal_px[i].y(), depth);
-    if (rig.readout_s <= 0 || !rate) return x_in_cam;
-    return MotionToRow(rig, *rate, ends_px[i].y()).Inverse() * x_in_cam;
+  const float depth = DepthOfOthers(frame);
+  const auto ray = [&](size_t i) {
+    return WhenMiddleRowWasRead(rig, rate.value_or(CameraRate()), ideal_px[i], ends_px[i].y(), depth);
   };
   std::vector<LineSight> lines;
   lines.reserve(segments.size());
@@ -37,7 +33,7 @@ std::vector<LineSight> SeeLines(const Sight& sight, const Frame& frame, const st
     if (!(normal.norm() > 0) || !(length_px > 0)) continue;
     lines.push_back({normal.normalized().cast<float>(), std::hypot(kPixels / length_px, kCrooked)});
   }
-  return lines;
+  return std::make_shared<const std::vector<LineSight>>(std::move(lines));
 }
 
 }  // namespace yorb

@@ -12,7 +12,7 @@
 namespace yorb {
 
 /// The straight edges of a picture, as a camera with all rows at once would have seen them (as WithoutShutter does with
-/// points, at the median depth of the frame's).
-std::vector<LineSight> SeeLines(const Sight& sight, const Frame& frame, const std::optional<CameraRate>& rate);
+/// points, at DepthOfOthers).
+LineSightsPtr SeeLines(const Sight& sight, const Frame& frame, const std::optional<CameraRate>& rate);
 
 }  // namespace yorb

@@ -51,7 +51,7 @@ double FarthestFrom(const Eigen::Vector3d& direction, const std::vector<LineSigh
 TEST(SeeLines, TheirPlanesHoldTheDirectionInWhichTheyRun) {
   const Frame frame = Empty(0);
   const Eigen::Vector3d up = RotationFromVector({0.3, 0, 0.2}) * Eigen::Vector3d::UnitY();
-  const auto lines = SeeLines({{}, Posts(*frame.rig, {}, up), {}, 0}, frame, {});
+  const std::vector<LineSight> lines = *SeeLines({{}, Posts(*frame.rig, {}, up), {}, 0}, frame, {});
   ASSERT_GE(lines.size(), 6u) << "both sides of each post";
   EXPECT_LT(FarthestFrom(up, lines), 0.01);
   for (const LineSight& line : lines) {
@@ -66,14 +66,14 @@ TEST(SeeLines, ARollingShutterIsUndone) {
   const CameraRate rate{{0, 1.0, 0}, {0, 0, 0}};
   const auto up = Eigen::Vector3d::UnitY();
   const Sight sight{{}, Posts(*frame.rig, rate, up), {}, 0};
-  const auto slanted = SeeLines(sight, frame, {}), upright = SeeLines(sight, frame, rate);
+  const std::vector<LineSight> slanted = *SeeLines(sight, frame, {}), upright = *SeeLines(sight, frame, rate);
   ASSERT_GE(slanted.size(), 6u);
   ASSERT_EQ(upright.size(), slanted.size());
   EXPECT_GT(FarthestFrom(up, slanted), 0.02) << "a turn of a radian a second is seen in the slant";
   EXPECT_LT(FarthestFrom(up, upright), 0.006);
 }
 
-TEST(SeeLines, NeedAPicture) { EXPECT_TRUE(SeeLines({}, Empty(0), {}).empty()); }
+TEST(SeeLines, NeedAPicture) { EXPECT_TRUE(SeeLines({}, Empty(0), {})->empty()); }
 
 }  // namespace
 }  // namespace yorb

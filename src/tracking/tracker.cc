@@ -52,6 +52,10 @@ Tracked Tracker::Track(const FramePtr& frame, const Map& map, size_t backlog, Si
   tracked.record.num_extracted = static_cast<int>(frame->size());
   tracked.record.num_static = static_cast<int>(frame->size() - frame->num_suspects);
   tracked.record.is_keyframe = tracked.proposal.has_value();
+  if (tracked.proposal && options_.straight_edges) {
+    Proposal& proposal = *tracked.proposal;
+    proposal.lines = SeeLines(sight_, *proposal.frame, motion_.RateWhileReading(frame->rig->readout_s));
+  }
   return tracked;
 }
 
@@ -74,8 +78,7 @@ Tracked Tracker::Begin(const FramePtr& raw_frame, const Map& map) {
   tracked.record.reference = first;
   tracked.record.information = kSure * Matrix6d::Identity();
   tracked.record.num_matched = tracked.record.num_inliers = num_points;
-  tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}, Matrix6d::Zero(), {}};
-  if (options_.straight_edges) tracked.proposal->lines = SeeLines(sight_, *frame, {});
+  tracked.proposal = Proposal{frame, KeyframeId(), Rigid3::Identity(), last_.matches, {}};
   last_proposal_ = frame->timestamp;
   frames_since_proposal_ = 0;
   return tracked;
@@ -345,9 +348,6 @@ bool Tracker::IsTimeForANewMap(const Frame& frame, size_t backlog) const {
 Proposal Tracker::Propose(const FramePtr& frame, const Fix& fix) {
   Proposal proposal{frame, last_.place.reference, last_.place.cam_from_reference, fix.matches, {}, {}};
   proposal.information = BesideLandmarks(*frame, fix);
-  if (options_.straight_edges) {
-    proposal.lines = SeeLines(sight_, *frame, motion_.RateWhileReading(frame->rig->readout_s));
-  }
   proposal.counts.reserve(counts_.size());
   for (const auto& [id, count] : counts_) proposal.counts.push_back({id, count.visible, count.found, count.gone});
   counts_.clear();
