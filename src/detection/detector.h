@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Detections {
   bool has_looked = true;    ///< false: nobody looked at this picture (a box file without a line for it)
   std::vector<Box> boxes;    ///< by falling confidence; none: nothing is there
   bool says_nobody = false;  ///< a box file that lists none: what was seen before is gone, and not missed
+  /// How likely each part of the picture shows somebody: CV_8UC1, a pixel a cell of an even grid over all of it; 255 is
+  /// a person beyond doubt. Empty where the detector says boxes alone.
+  cv::Mat people;
 };
 
 /// Finds things in pictures.

@@ -117,6 +117,11 @@ int KeypointValues(const OnnxModel& model) {
   return static_cast<int>(shape[0] * shape[1]);
 }
 
+/// A map of people is the last output, `people`, and named in the metadata.
+bool HasPeople(const OnnxModel& model) {
+  return model.outputs.size() > 1 && model.outputs.back().name == "people" && !Metadata(model, "people").empty();
+}
+
 /// `stills`: one or more numbers of pixels; anything else says nothing.
 std::vector<int> StillsSides(const OnnxModel& model) {
   const std::vector<double> sides = NumbersIn(Metadata(model, "stills"));
@@ -165,6 +170,7 @@ Result<Network> OpenNetwork(const std::string& path, const cv::Size& size) {
   network.stills_px = StillsSides(*model);
   network.task = Metadata(*model, "task").substr(0, 20);
   network.num_keypoint_values = KeypointValues(*model);
+  network.has_people = HasPeople(*model);
   network.model = *std::move(model);
   network.model.inputs.front().type = kOnnxFloat;  // as all engines are handed it
   LeaveOutOwnSuppression(network);

@@ -20,6 +20,7 @@ struct Network {
   std::string names_source;        ///< "its metadata", a file's name
   std::string names_file;          ///< beside it, where they stand there
   std::vector<float> anchors;      ///< of raw maps, px; empty: the standard ones
+  bool has_people = false;         ///< its last output is a map of people
   std::vector<int> stills_px;      ///< longer sides at which it sees single pictures best; none: not known
   std::string task;                ///< "detect", "segment", "obb": as its metadata say; empty: they do not
   int num_keypoint_values = 0;     ///< of a pose network, behind its classes

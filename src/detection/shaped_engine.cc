@@ -8,6 +8,7 @@
 
 #include "detection/box_form.h"
 #include "detection/make_engine.h"
+#include "detection/people_map.h"
 
 namespace yorb {
 
@@ -26,7 +27,8 @@ HeadFacts FactsOf(const std::vector<TensorView>& outputs, const Network& network
   HeadFacts facts;
   for (const TensorView& output : outputs) facts.shapes.push_back(output.dims);
   const auto is_joined = [&](const OnnxValue& output) { return LastOperator(network.model, output.name) == "Concat"; };
-  const std::vector<OnnxValue>& named = network.model.outputs;
+  std::vector<OnnxValue> named = network.model.outputs;
+  if (network.has_people) facts.shapes.pop_back(), named.pop_back();
   facts.are_joined = std::all_of(named.begin(), named.end(), is_joined);
   facts.width = network.input.width, facts.height = network.input.height;
   facts.num_names = static_cast<int>(network.names.size());
@@ -46,6 +48,9 @@ Result<ShapedEngine> MakeWithInput(const EngineInput& input, const Network& netw
   const cv::Mat blank(input.height, input.width, input.channels == 1 ? CV_8UC1 : CV_8UC3, cv::Scalar::all(114));
   auto outputs = RunOn(**engine, blank);
   if (!outputs) return outputs.error();
+  if (network.has_people && !IsPeopleMap(outputs->back()))
+    return BadInput(input.path + " has an output `people` of " + ShapeText(outputs->back().dims) +
+                    ", which is no map of people; (1, 1, height, width) is expected");
   const auto layout = RecogniseLayout(FactsOf(*outputs, network));
   if (!layout) return BadInput(input.path + " " + layout.error().message);
   return ShapedEngine{input, *std::move(engine), *layout, *std::move(outputs)};

@@ -15,6 +15,7 @@
 #include "detection/fuse_looks.h"
 #include "detection/head_layout.h"
 #include "detection/letterbox.h"
+#include "detection/people_map.h"
 
 namespace yorb {
 namespace {
@@ -133,10 +134,12 @@ Result<std::unique_ptr<YoloDetector>> YoloDetector::Open(const DetectionOptions&
     return BadInput(*path + " has " + std::to_string(layout.maps.size()) +
                     " raw maps and too few anchors in its metadata");
   detector->names_ = network->names;
+  detector->has_people_ = network->has_people;
   LogInfo(*path + ": " + LayoutText(layout, facts) + (detector->decode_.is_logits ? " of logits" : "") + ", input " +
           std::to_string(facts.width) + "x" + std::to_string(facts.height) +
           (shaped->input.is_bgr ? " of B, G, R from 0 to 255, " : ", ") + std::to_string(detector->names_.size()) +
-          " classes named by " + network->names_source + ", run by " + shaped->engine->name());
+          " classes named by " + network->names_source + (network->has_people ? ", and a map of people" : "") +
+          ", run by " + shaped->engine->name());
   detector->ReadOnlyWhatCounts(*shaped);
   detector->own_ = *std::move(shaped);
   return detector;
@@ -223,11 +226,12 @@ Result<std::vector<RawBox>> YoloDetector::Decode(const std::vector<TensorView>& 
                   "with boxes in pixels");
 }
 
-Result<std::vector<Box>> YoloDetector::Look(const ImageSet& images, ShapedEngine& shaped) {
+Result<std::vector<Box>> YoloDetector::Look(const ImageSet& images, ShapedEngine& shaped, cv::Mat* people) {
   const auto& [input, engine, layout, blank_outputs] = shaped;
   const Letterbox fit = FitLetterbox(images.grey.size(), shaped.size());
   const auto outputs = RunOn(*engine, InputOf(images, fit, input));
   if (!outputs) return outputs.error();
+  if (has_people_ && people != nullptr) *people = PeopleIn(outputs->back(), fit);
   if (layout.kind == LayoutKind::kCornerRows && !HaveClassNumbers((*outputs)[layout.output]))
     return BadInput(input.path + " is no detector that is read: the last numbers of its rows, " +
                     ShapeText((*outputs)[layout.output].dims) +
@@ -284,9 +288,9 @@ Result<std::vector<Box>> YoloDetector::LookAtStill(const ImageSet& images) {
 }
 
 Result<Detections> YoloDetector::Detect(const ImageSet& images) {
-  auto boxes = stills_ ? LookAtStill(images) : Look(images, own_);
-  if (!boxes) return boxes.error();
   Detections detections;
+  auto boxes = stills_ ? LookAtStill(images) : Look(images, own_, &detections.people);
+  if (!boxes) return boxes.error();
   detections.boxes = *std::move(boxes);
   return detections;
 }

@@ -56,8 +56,8 @@ class YoloDetector : public Detector {
   /// The engine for a picture of this size, scaled to a longer side. It stays for kMostLooks further calls at least.
   Result<ShapedEngine*> EngineFor(const cv::Size& picture, int long_side_px);
 
-  /// What the network sees in a picture, doubles suppressed.
-  Result<std::vector<Box>> Look(const ImageSet& images, ShapedEngine& shaped);
+  /// What the network sees in a picture, doubles suppressed; where people are goes into `people`, if it says that.
+  Result<std::vector<Box>> Look(const ImageSet& images, ShapedEngine& shaped, cv::Mat* people = nullptr);
 
   /// What it sees in the looks of FitToPictures, on as many threads as the machine has.
   Result<std::vector<Box>> LookAtStill(const ImageSet& images);
@@ -68,6 +68,7 @@ class YoloDetector : public Detector {
   std::vector<int> long_sides_px_;                     // of a picture that is looked at in its own shape, a look each
   std::vector<std::unique_ptr<ShapedEngine>> others_;  // of other sizes, the one asked for last behind
   DecodeOptions decode_;
+  bool has_people_ = false;    // the last output is a map of people
   bool is_in_pixels_ = false;  // a box has shown it: from then on a tiny one in the corner is nothing odd
   std::vector<std::string> names_;
 };

@@ -79,9 +79,10 @@ TEST(YoloDetector, GreyPicturesAndNothingInThemAreFine) {
   EXPECT_TRUE(boxes->empty());
 }
 
-TEST(YoloDetector, RawMapsFindTheirAnchorsAndLogits) {
+/// Raw maps whose objectness and class come from how red a cell is; the box is the anchor, which the metadata make 8 px
+/// wide and high.
+TestNetwork RawMapNetwork() {
   TestNetwork net(64, 64);
-  // Objectness and class from how red a cell is; the box is the anchor, which the metadata make 8 px wide and high.
   std::vector<float> weights(21 * 2, 0), bias(21, -9);
   for (size_t k = 0; k < 4; ++k) bias[k] = 0;
   weights[4 * 2] = 19, weights[5 * 2] = 19;
@@ -97,12 +98,64 @@ TEST(YoloDetector, RawMapsFindTheirAnchorsAndLogits) {
                {1, 21, 8 / pool, 8 / pool});
   }
   net.model.metadata = {{"names", "['person', 'cup']"}, {"anchors", "8,8, 9,9, 9,9, 16,16, 9,9, 9,9, 32,32, 9,9, 9,9"}};
-  const auto boxes = BoxesOf(net, "auto", RedAndGreen());
+  return net;
+}
+
+TEST(YoloDetector, RawMapsFindTheirAnchorsAndLogits) {
+  const auto boxes = BoxesOf(RawMapNetwork(), "auto", RedAndGreen());
   ASSERT_TRUE(boxes) << boxes.error().message;
   ASSERT_EQ(boxes->size(), 1u);
   EXPECT_EQ(boxes->front().name, "person");
   EXPECT_NEAR(boxes->front().left, 8, 0.01);
   EXPECT_NEAR(boxes->front().bottom, 24, 0.01);
+}
+
+/// Adds an output `people`: how red the cells are, 20 at the most, less 10.
+void AddPeople(TestNetwork& net, int64_t num_channels = 1) {
+  std::vector<float> weights(static_cast<size_t>(2 * num_channels), 0);
+  weights[0] = 20;
+  const std::vector<float> bias(static_cast<size_t>(num_channels), -10);
+  net.Op("Conv", {net.Cells(), net.Constant({num_channels, 2, 1, 1}, weights), net.Constant({num_channels}, bias)},
+         {IntsAttribute("kernel_shape", {1, 1})});
+  net.model.nodes.back().outputs = {"people"};
+  net.Output("people", {1, num_channels, 8, 8});
+  net.model.metadata["people"] = "8";
+}
+
+TEST(YoloDetector, AMapOfPeopleIsReadBesideTheBoxes) {
+  TestNetwork net = RawMapNetwork();
+  AddPeople(net);
+  const TestFolder folder;
+  for (const char* engine : {"opencv", "xnnpack"}) {
+    DetectionOptions options;
+    options.model = folder.Write("people.onnx", net.Bytes());
+    options.engine = engine;
+    const auto detector = YoloDetector::Open(options);
+    ASSERT_TRUE(detector) << detector.error().message;
+    for (int k = 0; k < 2; ++k) {  // the second run reads only what counts
+      const auto seen = (*detector)->Detect(ImageSetOf(RedAndGreen()));
+      ASSERT_TRUE(seen) << seen.error().message;
+      EXPECT_EQ(seen->boxes.size(), 1u);
+      ASSERT_EQ(seen->people.size(), cv::Size(8, 8));
+      EXPECT_GT(seen->people.at<uint8_t>(2, 1), 250);
+      EXPECT_LT(seen->people.at<uint8_t>(6, 5), 5);
+      EXPECT_EQ(cv::countNonZero(seen->people > 5), 1);
+    }
+  }
+}
+
+TEST(YoloDetector, AMapOfPeopleIsNamedInTheFileAndOneNumberACell) {
+  TestNetwork wide = RawMapNetwork(), unnamed = RawMapNetwork();
+  AddPeople(wide, 2);
+  const auto refused = BoxesOf(wide, "auto", RedAndGreen());
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("people"), std::string::npos) << refused.error().message;
+  AddPeople(unnamed);
+  unnamed.model.metadata.erase("people");
+  const TestFolder folder;
+  const auto network = OpenNetwork(folder.Write("unnamed.onnx", unnamed.Bytes()), {});
+  ASSERT_TRUE(network) << network.error().message;
+  EXPECT_FALSE(network->has_people);
 }
 
 TEST(YoloDetector, NamesComeFromTheFileThenFromBesideItThenFromNumbers) {

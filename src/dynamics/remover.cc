@@ -11,6 +11,7 @@
 #include "dynamics/body_signs.h"
 #include "dynamics/lying_cells.h"
 #include "dynamics/outline.h"
+#include "dynamics/seen_people.h"
 #include "dynamics/wall.h"
 #include "features/frame.h"
 
@@ -26,6 +27,7 @@ constexpr float kSamePlaceM = 0.25f;    // of depth, from picture to picture
 constexpr double kMostTaken = 0.5;      // of a box by bodies of other boxes, so that it may have one of its own
 constexpr float kBridgedM = 0.2f;       // how far a body that is only expected may be from where it was
 constexpr double kFreshS = 0.5;         // since the detector was sure: who was in view is still there
+constexpr double kStillTrueS = 0.1;     // that a map of people may be old: nothing moves it on
 constexpr double kEdgePx = 2;           // how far depth and colour may disagree on an outline
 constexpr double kRingPx = 3;           // of FAST: a corner so near to an outline is made by it
 
@@ -320,12 +322,14 @@ void Remover::FollowBodies(const ImageSet& images, const SeenAt& looked, MovingA
     areas.num_bridged_ += track.IsBridged(images.timestamp);
   }
   areas.rules_ = BoxRules(boxes);
-  if (areas.boxes_.empty() || images.depth.empty()) return;
+  const bool shows_somebody =
+      SecondsBetween(looked.at, images.timestamp) <= kStillTrueS && ShowsSomebody(looked.seen.people);
+  if ((areas.boxes_.empty() && !shows_somebody) || images.depth.empty()) return;
   if (!ground_ || ground_->at != images.timestamp) Prepare(images);
   Ground ground = *std::exchange(ground_, std::nullopt);
   const DepthCells& depth = ground.depth;
-  const CellMask mask =
-      WithCarried(MaskOfBodies(tracks, depth, std::move(ground.lying), images.timestamp), tracks, depth);
+  CellMask mask = WithCarried(MaskOfBodies(tracks, depth, std::move(ground.lying), images.timestamp), tracks, depth);
+  if (shows_somebody) mask = WithSeenPeople(std::move(mask), depth, looked.seen.people);
   areas.bodies_ = cv::Mat(depth.rows(), depth.columns(), CV_8UC1);
   std::transform(mask.begin(), mask.end(), areas.bodies_.begin<uint8_t>(),
                  [](uint8_t cell) { return cell == kBody ? kBody : uint8_t{0}; });

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 
 #include "core/random.h"
 #include "dynamics/test_depth.h"
@@ -274,6 +275,25 @@ TEST(Remover, WhoWasInViewAMomentAgoIsStillThereBesideAPanelAsFarAway) {
   scene.box.confidence = 0.15;
   for (int i = 3; i < 12; ++i) EXPECT_GT(removed(i), 0.95) << i;
   EXPECT_LT(removed(25), 0.05) << "later the panels count: the box may be one of them";
+}
+
+TEST(Remover, AMapOfPeopleFindsWhomNoBoxShowsWhileItIsNew) {
+  Scene scene = MakeScene(1.5, false);
+  const std::vector<Keypoint> points = Points();
+  Detections seen;
+  cv::resize(scene.person, seen.people, {40, 30}, 0, 0, cv::INTER_AREA);
+  const auto removed = [&](Dynamics dynamics, double age_s) {
+    Remover remover(dynamics, MotionTable::Default(), 1.2);
+    Timestamp at = scene.images.timestamp;
+    at.ns -= static_cast<int64_t>(age_s * 1e9);
+    return SharesOf(scene, points, remover.Look(scene.images, {seen, at}).Judge(points));
+  };
+  EXPECT_GT(removed(Dynamics::kFull, 0).dynamic_removed, 0.95);
+  EXPECT_GT(removed(Dynamics::kFull, 0.07).dynamic_removed, 0.95);
+  EXPECT_GT(removed(Dynamics::kFull, 0).static_outside_kept, 0.9);
+  EXPECT_EQ(removed(Dynamics::kFull, 0.5).dynamic_removed, 0) << "by now it may be wrong everywhere";
+  EXPECT_EQ(removed(Dynamics::kPaper, 0).dynamic_removed, 0) << "the paper knows boxes alone";
+  EXPECT_EQ(removed(Dynamics::kOff, 0).dynamic_removed, 0);
 }
 
 TEST(Remover, TheUsersMaskCountsInEveryMode) {
