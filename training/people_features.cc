@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "training/people_features.h"
 
+#include <algorithm>
 #include <cstring>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/prefetch.h"
+#include "core/parallel.h"
 #include "training/people_cells.h"
 
 namespace yorb {
 namespace {
 
-constexpr size_t kScenesAhead = 4;
+constexpr int64_t kScenesARound = 16;  // of each thread, before anybody is told how far it is
 
 torch::Tensor HalfOf(const TensorView& view) {
   return torch::from_blob(const_cast<float*>(view.data), view.dims, view.strides, torch::kFloat32).to(torch::kFloat16);
@@ -36,10 +36,15 @@ FeatureSet MakeRoom(const FeatureSet& one, int64_t count) {
   return {room(one.fine), room(one.coarse), room(one.labels)};
 }
 
-void Put(const FeatureSet& one, int64_t at, FeatureSet& all) {
+void Put(const FeatureSet& one, int64_t at, const FeatureSet& all) {
   all.fine[at].copy_(one.fine[0]);
   all.coarse[at].copy_(one.coarse[0]);
   all.labels[at].copy_(one.labels[0]);
+}
+
+Result<FeatureSet> MakeOne(const SceneSource& source, int64_t i, FeatureMaker& maker) {
+  const Result<Scene> scene = source.make(i);
+  return scene ? maker.Run(*scene) : Result<FeatureSet>(scene.error());
 }
 
 }  // namespace
@@ -66,26 +71,25 @@ Result<FeatureSet> FeatureMaker::Run(const Scene& scene) {
 
 Result<FeatureSet> MakeFeatures(const SceneSource& source, std::vector<FeatureMaker> makers,
                                 const std::function<bool(int64_t)>& progress) {
-  const auto num_threads = static_cast<int64_t>(makers.size());
-  std::vector<std::unique_ptr<Prefetch<Result<FeatureSet>>>> streams;
-  for (int64_t first = 0; first < num_threads; ++first) {
-    const auto maker = std::make_shared<FeatureMaker>(std::move(makers[static_cast<size_t>(first)]));
-    const auto make = [=, &source, i = first]() mutable -> std::optional<Result<FeatureSet>> {
-      if (i >= source.count) return std::nullopt;
-      const Result<Scene> scene = source.make(i);
-      i += num_threads;
-      return scene ? maker->Run(*scene) : Result<FeatureSet>(scene.error());
-    };
-    streams.push_back(std::make_unique<Prefetch<Result<FeatureSet>>>(make, kScenesAhead));
-  }
-  FeatureSet all;
-  for (int64_t i = 0; i < source.count; ++i) {
-    const std::optional<Result<FeatureSet>> next = streams[static_cast<size_t>(i % num_threads)]->Next();
-    const Result<FeatureSet>& one = next.value();
-    if (!one) return one.error();
-    if (i == 0) all = MakeRoom(*one, source.count);
-    Put(*one, i, all);
-    if (!progress(i + 1)) return Stopped();
+  const Result<FeatureSet> first = MakeOne(source, 0, makers.front());
+  if (!first) return first.error();
+  FeatureSet all = MakeRoom(*first, source.count);
+  const size_t num_threads = makers.size();
+  const auto round = static_cast<int64_t>(num_threads) * kScenesARound;
+  for (int64_t begin = 0; begin < source.count; begin += round) {
+    const int64_t end = std::min(begin + round, source.count);
+    std::vector<Status> done(num_threads);
+    ParallelFor(num_threads, static_cast<int>(num_threads), [&](size_t turn) {
+      for (auto i = begin + static_cast<int64_t>(turn); i < end && done[turn]; i += static_cast<int64_t>(num_threads)) {
+        const Result<FeatureSet> one = MakeOne(source, i, makers[turn]);
+        if (one) Put(*one, i, all);
+        if (!one) done[turn] = one.error();
+      }
+    });
+    for (const Status& status : done) {
+      if (!status) return status.error();
+    }
+    if (!progress(end)) return Stopped();
   }
   return all;
 }

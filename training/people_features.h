@@ -8,6 +8,8 @@
 #include <memory>
 #include <opencv2/core.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/result.h"
 #include "detection/engine.h"
@@ -40,14 +42,15 @@ class FeatureMaker {
   std::unique_ptr<Engine> engine_;
 };
 
-/// How many scenes, and who makes them: any thread may ask for scene `i`, and gets the same whoever asks.
+/// How many scenes (at least one), and who makes them: any thread may ask for scene `i`, and gets the same whoever
+/// asks.
 struct SceneSource {
   int64_t count = 0;
   std::function<Result<Scene>(int64_t)> make;
 };
 
-/// The maps of all scenes, made by threads of their own, with a `FeatureMaker` each (there must be one), that take
-/// turns. `progress` hears after each how many are done, and says whether to go on; failure where it says no.
+/// The maps of all scenes, on as many threads as there are makers (at least one). `progress` hears now and then how
+/// many are done, and says whether to go on; failure where it says no.
 Result<FeatureSet> MakeFeatures(const SceneSource& source, std::vector<FeatureMaker> makers,
                                 const std::function<bool(int64_t)>& progress);
 

@@ -94,14 +94,18 @@ Result<FeatureSet> MakeAll(const SceneSource& source, const FrozenNetwork& netwo
     makers.push_back(std::move(*maker));
   }
   const Stopwatch watch;
-  return MakeFeatures(source, std::move(makers), [&](int64_t done) {
-    if (done % 500 == 0 || done == source.count)
-      std::printf("%s: %lld of %lld  %.1f pictures/s  %d min left\n", what.c_str(), static_cast<long long>(done),
-                  static_cast<long long>(source.count), static_cast<double>(done) / watch.seconds(),
-                  MinutesLeft(watch.seconds(), done, source.count));
+  int64_t shown = 0;
+  const auto show = [&](int64_t done) {
+    if (IsStopAsked()) return false;
+    if (done < shown + 500 && done < source.count) return true;
+    shown = done;
+    std::printf("%s: %lld of %lld  %.1f pictures/s  %d min left\n", what.c_str(), static_cast<long long>(done),
+                static_cast<long long>(source.count), static_cast<double>(done) / watch.seconds(),
+                MinutesLeft(watch.seconds(), done, source.count));
     std::fflush(stdout);
-    return !IsStopAsked();
-  });
+    return true;
+  };
+  return MakeFeatures(source, std::move(makers), show);
 }
 
 Result<FeatureSet> MakeHeld(const std::vector<LabelledFile>& files, const FrozenNetwork& network, int num_threads) {
@@ -130,7 +134,8 @@ Status TrainOn(const FeatureSet& set, const FeatureSet& held, const PeopleTraine
   return TrainPeopleHead(head, set, options, show, IsStopAsked);
 }
 
-Status Write(const FrozenNetwork& network, const PeopleHead& head, const cv::Mat& picture, const std::string& out) {
+Status WriteAndCheck(const FrozenNetwork& network, const PeopleHead& head, const cv::Mat& picture,
+                     const std::string& out) {
   const Result<OnnxModel> made = WithPeopleHead(network.model, network.taps, head, network.path);
   if (!made) return made.error();
   if (const Status written = WriteFileWhole(out, OnnxBytes(*made)); !written) return written;
@@ -165,7 +170,7 @@ Status TrainPeopleMap(const PeopleMapArguments& arguments) {
   if (const Status trained = TrainOn(*set, *held, arguments.trainer, head); !trained) return trained;
   const Result<Scene> scene = compose(0);
   if (!scene) return scene.error();
-  return Write(*network, head, scene->pixels, arguments.out);
+  return WriteAndCheck(*network, head, scene->pixels, arguments.out);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace yorb {
 namespace {
 
-struct Fixture {
+struct PeopleFixture {
   OnnxModel before = MakeTinyDetector();
   FeatureTaps taps = *FindFeatureTaps(before, "tiny.onnx");
   PeopleHead head{taps.fine_channels, taps.coarse_channels};
@@ -28,7 +28,7 @@ struct Fixture {
 };
 
 /// All outputs of a file as OpenCV reads it.
-std::vector<cv::Mat> OutputsOf(const OnnxModel& model, const cv::Mat& picture) {
+std::vector<cv::Mat> OpenCvOutputsOf(const OnnxModel& model, const cv::Mat& picture) {
   const std::string bytes = OnnxBytes(model);
   cv::dnn::Net net = cv::dnn::readNetFromONNX(bytes.data(), bytes.size());
   net.setInput(cv::dnn::blobFromImage(picture, 1 / 255.0, cv::Size(), cv::Scalar(), true));
@@ -41,12 +41,13 @@ std::vector<cv::Mat> OutputsOf(const OnnxModel& model, const cv::Mat& picture) {
 }
 
 TEST(PeopleOnnx, OneOutputIsAddedAndTheOthersStayToTheBit) {
-  const Fixture fixture;
+  const PeopleFixture fixture;
   ASSERT_EQ(fixture.after.outputs.size(), 4u);
   EXPECT_EQ(fixture.after.outputs.back().name, "people");
   EXPECT_EQ(fixture.after.outputs.back().dims, (std::vector<int64_t>{1, 1, 8, 12}));
   EXPECT_EQ(fixture.after.metadata.at("people"), "8");
-  const auto before = OutputsOf(fixture.before, fixture.picture()), after = OutputsOf(fixture.after, fixture.picture());
+  const auto before = OpenCvOutputsOf(fixture.before, fixture.picture()),
+             after = OpenCvOutputsOf(fixture.after, fixture.picture());
   for (size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(fixture.after.outputs[i].name, fixture.before.outputs[i].name);
     EXPECT_EQ(cv::norm(before[i], after[i], cv::NORM_INF), 0) << fixture.before.outputs[i].name;
@@ -55,26 +56,26 @@ TEST(PeopleOnnx, OneOutputIsAddedAndTheOthersStayToTheBit) {
 }
 
 TEST(PeopleOnnx, TheMapIsLibtorchs) {
-  const Fixture fixture;
+  const PeopleFixture fixture;
   const auto difference =
       CheckPeopleOutput({fixture.before, fixture.after}, fixture.taps, fixture.head, fixture.picture());
   ASSERT_TRUE(difference) << difference.error().message;
   EXPECT_LT(*difference, 1e-3);
-  const cv::Mat map = OutputsOf(fixture.after, fixture.picture()).back();
+  const cv::Mat map = OpenCvOutputsOf(fixture.after, fixture.picture()).back();
   double least = 0, most = 0;
   cv::minMaxIdx(map, &least, &most);
   EXPECT_GT(most - least, 1e-2);  // so that equality says something
 }
 
 TEST(PeopleOnnx, AnotherHeadIsToldFromTheOneInTheFile) {
-  const Fixture fixture;
+  const PeopleFixture fixture;
   const PeopleHead other(fixture.taps.fine_channels, fixture.taps.coarse_channels);
   EXPECT_FALSE(CheckPeopleOutput({fixture.before, fixture.after}, fixture.taps, other, fixture.picture()));
 }
 
 TEST(PeopleOnnx, TheRulesOfOnnxHold) {
   onnx::ModelProto model;
-  ASSERT_TRUE(model.ParseFromString(OnnxBytes(Fixture().after)));
+  ASSERT_TRUE(model.ParseFromString(OnnxBytes(PeopleFixture().after)));
   try {
     onnx::checker::check_model(model);
   } catch (const std::exception& wrong) {
@@ -83,7 +84,7 @@ TEST(PeopleOnnx, TheRulesOfOnnxHold) {
 }
 
 TEST(PeopleOnnx, NetworksThatDoNotFitAreRefused) {
-  const Fixture fixture;
+  const PeopleFixture fixture;
   const auto twice = FindFeatureTaps(fixture.after, "after.onnx");
   ASSERT_FALSE(twice);
   EXPECT_THAT(twice.error().message, testing::HasSubstr("already"));

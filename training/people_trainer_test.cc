@@ -7,19 +7,22 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/random.h"
 #include "training/people_cells.h"
 #include "training/test_people.h"
 
 namespace yorb {
 namespace {
 
-/// Noise with a bright thing on it that shall be a person.
-Scene MakeScene(int64_t i) {
+/// Noise with a bright thing on it that shall be a person, a third as large as the picture.
+Scene MakeScene(int64_t i, const cv::Size& size) {
   Random random(5, static_cast<uint64_t>(i));
-  Scene scene{cv::Mat(kTinyInput, CV_8UC3), {}, {}};
-  scene.people_mask = cv::Mat(kTinyInput, CV_8U, cv::Scalar(kMaskNobody));
+  Scene scene{cv::Mat(size, CV_8UC3), {}, {}};
+  scene.people_mask = cv::Mat(size, CV_8U, cv::Scalar(kMaskNobody));
   cv::RNG(random.Next()).fill(scene.pixels, cv::RNG::UNIFORM, 60, 120);
-  const cv::Rect person(8 * static_cast<int>(random.Below(7)), 8 * static_cast<int>(random.Below(4)), 32, 32);
+  const int width = size.width / 3, height = size.height / 3;
+  const cv::Rect person(static_cast<int>(random.Below(static_cast<uint32_t>(size.width - width))),
+                        static_cast<int>(random.Below(static_cast<uint32_t>(size.height - height))), width, height);
   scene.pixels(person).setTo(cv::Scalar(random.Uniform(0, 50), random.Uniform(150, 255), random.Uniform(150, 255)));
   scene.people_mask(person).setTo(kMaskPerson);
   return scene;
@@ -28,7 +31,7 @@ Scene MakeScene(int64_t i) {
 Result<FeatureSet> MakeSet(const OnnxModel& model, const FeatureTaps& taps, int num_threads) {
   std::vector<FeatureMaker> makers;
   for (int i = 0; i < num_threads; ++i) makers.push_back(*FeatureMaker::Make(model, taps, "tiny.onnx"));
-  const auto make = [](int64_t i) -> Result<Scene> { return MakeScene(i); };
+  const auto make = [&](int64_t i) -> Result<Scene> { return MakeScene(i, taps.input); };
   return MakeFeatures({8, make}, std::move(makers), [](int64_t) { return true; });
 }
 
@@ -46,9 +49,11 @@ TEST(PeopleMap, FeaturesDoNotDependOnTheNumberOfThreads) {
 
 TEST(PeopleMap, LearnsEightPicturesByHeart) {
   torch::set_num_threads(1);
-  const OnnxModel model = MakeTinyDetector();
-  const FeatureTaps taps = *FindFeatureTaps(model, "tiny.onnx");
-  const auto set = MakeSet(model, taps, 1);
+  const std::string path = YORB_SOURCE_DIR "/models/yolo_mo.onnx";  // there is little to see for weights by chance
+  const auto model = ReadOnnxFile(path);
+  ASSERT_TRUE(model) << model.error().message;
+  const FeatureTaps taps = *FindFeatureTaps(*model, path);
+  const auto set = MakeSet(*model, taps, 1);
   ASSERT_TRUE(set) << set.error().message;
   PeopleHead head(taps.fine_channels, taps.coarse_channels);
   EXPECT_LT(MeasureCells(head, *set).iou, 0.5);
@@ -58,14 +63,14 @@ TEST(PeopleMap, LearnsEightPicturesByHeart) {
     loss = now.loss;
     num_epochs += now.is_end_of_epoch ? 1 : 0;
   };
-  const PeopleTrainerOptions options{.epochs = 200, .batch_size = 4, .rate = 0.01};
+  const PeopleTrainerOptions options{.epochs = 40, .batch_size = 4};
   ASSERT_TRUE(TrainPeopleHead(head, *set, options, report, [] { return false; }));
-  EXPECT_EQ(num_epochs, 200);
+  EXPECT_EQ(num_epochs, 40);
   EXPECT_LT(loss, 0.1);
   const CellScores scores = MeasureCells(head, *set);
-  EXPECT_GT(scores.iou, 0.95);
-  EXPECT_GT(scores.precision, 0.95);
-  EXPECT_GT(scores.recall, 0.95);
+  EXPECT_GT(scores.iou, 0.85);
+  EXPECT_GT(scores.precision, 0.85);
+  EXPECT_GT(scores.recall, 0.85);
 }
 
 TEST(PeopleMap, WhoAsksForTheEndGetsIt) {
