@@ -3,11 +3,10 @@
 #include "training/build_pack.h"
 
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 
-#include "pictures/picture_file.h"
 #include "training/class_table.h"
 #include "training/pack.h"
+#include "training/read_picture.h"
 #include "training/voc_labels.h"
 
 namespace yorb {
@@ -16,27 +15,12 @@ namespace {
 constexpr double kDoubtFrom = 0.2, kDoubtTo = 0.4;  // of a teacher's confidence: neither believed nor dismissed
 constexpr double kSameThing = 0.5;                  // IoU of a doubtful box with a true one of its class
 
-Result<cv::Mat> ReadSmall(const std::string& path, int long_side_px) {
-  const StoredPicture stored = ReadPictureFile(path);
-  if (stored.pixels.empty()) return BadInput(path + ": " + stored.fault);
-  const Result<ColourAndGrey> picture = ToColourAndGrey(stored.pixels, path);
-  if (!picture) return picture.error();
-  cv::Mat pixels = picture->colour;
-  if (pixels.empty()) cv::cvtColor(picture->grey, pixels, cv::COLOR_GRAY2BGR);
-  const double k = static_cast<double>(long_side_px) / std::max(pixels.cols, pixels.rows);
-  if (k < 1) {
-    const cv::Size size(std::max(1, cvRound(pixels.cols * k)), std::max(1, cvRound(pixels.rows * k)));
-    cv::resize(pixels, pixels, size, 0, 0, cv::INTER_AREA);
-  }
-  return pixels;
-}
-
 Result<std::vector<LabelBox>> ReadLabels(const std::string& path, const ClassTable& classes) {
   return path.ends_with(".xml") ? ReadVocLabels(path, classes) : ReadYoloLabels(path, classes.size());
 }
 
 Result<PackItem> ReadItem(const LabelledFile& file, const BuildPackOptions& options, const ClassTable& classes) {
-  Result<cv::Mat> pixels = ReadSmall(file.picture, options.long_side_px);
+  Result<cv::Mat> pixels = ReadSmallPicture(file.picture, options.long_side_px);
   if (!pixels) return pixels.error();
   Result<std::vector<LabelBox>> boxes = ReadLabels(file.labels, classes);
   if (!boxes) return boxes.error();

@@ -17,5 +17,6 @@ void AddEvaluateCommand(CLI::App& program, Action& action);
 void AddExportCommand(CLI::App& program, Action& action);
 void AddCurvesCommand(CLI::App& program, Action& action);
 void AddTableCommand(CLI::App& program, Action& action);
+void AddPeopleMapCommand(CLI::App& program, Action& action);
 
 }  // namespace yorb

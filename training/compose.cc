@@ -83,6 +83,15 @@ void DrawPicture(const cv::Mat& pixels, const Placing& placing, const cv::Rect& 
   cv::warpAffine(source, target, tile_from_source, tile.size(), cv::INTER_LINEAR, cv::BORDER_CONSTANT, kGrey);
 }
 
+/// Draws the picture's mask of people as `DrawPicture` does the picture; nobody is around it.
+cv::Mat DrawMask(const cv::Mat& mask, const Placing& placing, const cv::Size& size) {
+  const cv::Matx23d scene_from_mask(placing.scale_x, 0, placing.shift_x + 0.5 * placing.scale_x - 0.5, 0,
+                                    placing.scale_y, placing.shift_y + 0.5 * placing.scale_y - 0.5);
+  cv::Mat drawn;
+  cv::warpAffine(mask, drawn, scene_from_mask, size, cv::INTER_NEAREST, cv::BORDER_CONSTANT, kMaskNobody);
+  return drawn;
+}
+
 /// The boxes as they stand in the scene, cut to the tile.
 void AddBoxes(const PackedPicture& picture, const Placing& placing, const cv::Rect& tile, const ComposeOptions& options,
               std::vector<SceneBox>& boxes) {
@@ -105,6 +114,17 @@ void AddBoxes(const PackedPicture& picture, const Placing& placing, const cv::Re
   }
 }
 
+double DrawZoom(const ComposeOptions& options, Random& random) {
+  return std::exp(random.Uniform(-options.log_scale, options.log_scale));
+}
+
+/// How a picture fills a whole scene.
+Cut DrawWholeCut(const cv::Size& size, const ComposeOptions& options, Random& random) {
+  Cut cut{cv::Rect(cv::Point(), size), options.zoom * DrawZoom(options, random), random.Uniform() < options.close_up};
+  if (cut.is_close_up) cut.zoom = std::exp(random.Uniform(std::log(1.3), std::log(options.most_close_up)));
+  return cut;
+}
+
 /// The four tiles of a mosaic around a point near the middle.
 std::array<cv::Rect, 4> DrawTiles(const cv::Size& size, Random& random) {
   const int x = static_cast<int>(size.width * random.Uniform(0.3, 0.7));
@@ -114,6 +134,17 @@ std::array<cv::Rect, 4> DrawTiles(const cv::Size& size, Random& random) {
 }
 
 }  // namespace
+
+Scene ComposeSingle(const PackedPicture& picture, const cv::Mat& people_mask, const cv::Size& size,
+                    const ComposeOptions& options, Random& random) {
+  const Cut cut = DrawWholeCut(size, options, random);
+  const Placing placing = DrawPlacing(picture, cut, options, random);
+  Scene scene{cv::Mat(size, CV_8UC3), {}, {}};
+  DrawPicture(picture.pixels, placing, cut.tile, scene.pixels);
+  AddBoxes(picture, placing, cut.tile, options, scene.boxes);
+  if (!people_mask.empty()) scene.people_mask = DrawMask(people_mask, placing, size);
+  return scene;
+}
 
 Composer::Composer(std::vector<std::shared_ptr<const Pack>> packs, const ClassTable& table) : packs_(std::move(packs)) {
   for (size_t p = 0; p < packs_.size(); ++p) {
@@ -149,16 +180,13 @@ Scene Composer::Compose(size_t index, const cv::Size& size, const ComposeOptions
     AddBoxes(source.picture, placing, cut.tile, options, scene.boxes);
     return source.judged;
   };
-  const auto draw_zoom = [&] { return std::exp(random.Uniform(-options.log_scale, options.log_scale)); };
   if (random.Uniform() >= options.mosaic) {
-    Cut cut{cv::Rect(cv::Point(), size), options.zoom * draw_zoom(), random.Uniform() < options.close_up};
-    if (cut.is_close_up) cut.zoom = std::exp(random.Uniform(std::log(1.3), std::log(options.most_close_up)));
-    scene.judged = add(index, cut);
+    scene.judged = add(index, DrawWholeCut(size, options, random));
     return scene;
   }
   scene.judged.set();
   for (const cv::Rect& tile : DrawTiles(size, random)) {
-    scene.judged &= add(index, {tile, 1.4 * draw_zoom()});
+    scene.judged &= add(index, {tile, 1.4 * DrawZoom(options, random)});
     index = random.Below(static_cast<uint32_t>(places_.size()));
   }
   return scene;

@@ -26,6 +26,10 @@ struct ComposeOptions {
   double kept_part = 0.2;         ///< a box of which less than this is in view is doubtful
 };
 
+/// One picture, augmented by itself, and with it its mask of people where it has one; nothing is judged.
+Scene ComposeSingle(const PackedPicture& picture, const cv::Mat& people_mask, const cv::Size& size,
+                    const ComposeOptions& options, Random& random);
+
 /// Brings packed pictures into a network's input size.
 class Composer {
  public:

@@ -36,6 +36,7 @@ int ReadAndAct(int argc, char** argv) {
   AddExportCommand(program, action);
   AddCurvesCommand(program, action);
   AddTableCommand(program, action);
+  AddPeopleMapCommand(program, action);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

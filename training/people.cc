@@ -87,22 +87,26 @@ bool IsHidden(const SceneBox& box, const cv::Mat& covered) {
   return !area.empty() && cv::countNonZero(covered(area)) > 0.75 * area.area();
 }
 
-/// Puts a piece of the picture as it was before, or a dark plate as of a screen, in front of the person; what it
-/// covers is taken out of `covered`.
-void Occlude(const cv::Mat& before, cv::Mat pixels, cv::Mat covered, Random& random) {
-  const cv::Rect person = cv::boundingRect(covered), all(cv::Point(), pixels.size());
+/// Puts a piece of the scene as it was before, or a dark plate as of a screen, in front of the person; what it covers
+/// is taken out of `covered`.
+void Occlude(const Scene& before, cv::Mat covered, Scene& scene, Random& random) {
+  const cv::Rect person = cv::boundingRect(covered), all(cv::Point(), covered.size());
   const cv::Size size(std::max(2, static_cast<int>(person.width * random.Uniform(0.3, 1.0))),
                       std::max(2, static_cast<int>(person.height * random.Uniform(0.2, 0.6))));
   const cv::Point at(person.x + static_cast<int>(person.width * random.Uniform(-0.3, 0.8)),
                      person.y + static_cast<int>(person.height * random.Uniform(0.3, 0.9)));
   const cv::Rect plate = cv::Rect(at, size) & all;
   if (plate.empty()) return;
-  const cv::Point from(static_cast<int>(random.Below(static_cast<uint32_t>(pixels.cols - plate.width + 1))),
-                       static_cast<int>(random.Below(static_cast<uint32_t>(pixels.rows - plate.height + 1))));
-  if (random.Uniform() < 0.5)
-    before(cv::Rect(from, plate.size())).copyTo(pixels(plate));
+  const cv::Point from(static_cast<int>(random.Below(static_cast<uint32_t>(covered.cols - plate.width + 1))),
+                       static_cast<int>(random.Below(static_cast<uint32_t>(covered.rows - plate.height + 1))));
+  const cv::Rect piece(from, plate.size());
+  const bool is_piece = random.Uniform() < 0.5, has_mask = !scene.people_mask.empty();
+  if (is_piece)
+    before.pixels(piece).copyTo(scene.pixels(plate));
   else
-    pixels(plate).setTo(cv::Scalar::all(random.Uniform(5, 60)));
+    scene.pixels(plate).setTo(cv::Scalar::all(random.Uniform(5, 60)));
+  if (has_mask && is_piece) before.people_mask(piece).copyTo(scene.people_mask(plate));
+  if (has_mask && !is_piece) scene.people_mask(plate).setTo(kMaskNobody);
   covered(plate).setTo(0);
 }
 
@@ -110,11 +114,12 @@ void PasteOne(const cv::Mat& person, const PeopleOptions& options, int person_cl
   // The middle may lie nearly anywhere, so that head, legs or a side are out of the picture.
   const int x = static_cast<int>(random.Uniform(-0.1, 1.1) * scene.pixels.cols - person.cols / 2.0);
   const int y = static_cast<int>(random.Uniform(-0.1, 1.0) * scene.pixels.rows - person.rows / 2.0);
-  const cv::Mat before = scene.pixels.clone();
+  const Scene before{scene.pixels.clone(), {}, {}, scene.people_mask.clone()};
   cv::Mat covered = Blend(person, cv::Point(x, y), scene.pixels);
   std::erase_if(scene.boxes, [&](const SceneBox& box) { return IsHidden(box, covered); });
+  if (!scene.people_mask.empty()) scene.people_mask.setTo(kMaskPerson, covered);
   if (cv::countNonZero(covered) > 0 && random.Uniform() < options.occluded_share)
-    Occlude(before, scene.pixels, covered, random);
+    Occlude(before, covered, scene, random);
   const cv::Rect seen = cv::boundingRect(covered);
   if (seen.width < 4 || seen.height < 4) return;
   // A sleeve at the border may or may not be called a person.

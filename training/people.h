@@ -26,7 +26,7 @@ struct PeopleOptions {
 Result<std::vector<cv::Mat>> ReadCutouts(const std::string& folder);
 
 /// Pastes people: near and far, in front of one another, cut by what would stand before them, partly out of the
-/// picture. Boxes that they hide go.
+/// picture. Boxes that they hide go; the mask of people, where the scene has one, is painted.
 void PastePeople(const std::vector<cv::Mat>& cutouts, int person_class, const PeopleOptions& options, Scene& scene,
                  Random& random);
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <string>
 #include <vector>
+
+#include "pictures/jpeg.h"
 
 namespace yorb {
 namespace {
@@ -46,6 +49,13 @@ void AddNoise(double deviation, cv::Mat pixels, Random& random) {
   cv::add(pixels, noise, pixels, cv::noArray(), CV_8U);
 }
 
+void Compress(cv::Mat pixels, Random& random) {
+  const Result<std::string> bytes = EncodeJpeg(pixels, 35 + static_cast<int>(random.Below(56)));
+  if (!bytes) return;
+  const DecodedPicture decoded = DecodeJpeg(*bytes);
+  if (decoded.kind == DecodedPicture::Kind::kWhole) decoded.pixels.copyTo(pixels);
+}
+
 }  // namespace
 
 void VaryLight(const PhotometricOptions& options, cv::Mat pixels, Random& random) {
@@ -62,6 +72,7 @@ void VaryLight(const PhotometricOptions& options, cv::Mat pixels, Random& random
       cv::GaussianBlur(pixels, pixels, cv::Size(), random.Uniform(0.5, 1.6));
   }
   if (random.Uniform() < options.noise) AddNoise(random.Uniform(1, options.most_noise), pixels, random);
+  if (random.Uniform() < options.jpeg) Compress(pixels, random);
 }
 
 }  // namespace yorb

@@ -15,6 +15,7 @@ struct PhotometricOptions {
   double noise = 0.2;                                      ///< share of noisy pictures
   double most_noise = 12;                                  ///< deviation in grey values
   double grey = 0.03;                                      ///< share of pictures without colour
+  double jpeg = 0;                                         ///< share of pictures that were compressed once more
 };
 
 /// Changes the picture as light, a cheap lens and a small sensor would.

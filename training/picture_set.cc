@@ -19,20 +19,26 @@ bool IsPicture(const fs::path& path) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-fs::path LabelsOf(const fs::path& picture) {
-  fs::path labels, rest = picture;
-  std::vector<fs::path> parts(picture.begin(), picture.end());
-  const auto found = std::find(parts.rbegin(), parts.rend(), fs::path("images"));
-  if (found != parts.rend()) {
-    *found = "labels";
-    for (const fs::path& part : parts) labels /= part;
-    return labels.replace_extension(".txt");
-  }
-  const fs::path xml = rest.replace_extension(".xml");
-  return fs::exists(xml) ? xml : rest.replace_extension(".txt");
+std::string LabelsOf(const fs::path& picture) {
+  if (const auto labels = FileBeside(picture.string(), "labels", ".txt")) return *labels;
+  fs::path beside = picture;
+  const std::string xml = beside.replace_extension(".xml").string();
+  return fs::exists(xml) ? xml : beside.replace_extension(".txt").string();
 }
 
 }  // namespace
+
+std::optional<std::string> FileBeside(const std::string& picture, const std::string& folder,
+                                      const std::string& ending) {
+  const fs::path path(picture);
+  std::vector<fs::path> parts(path.begin(), path.end());
+  const auto found = std::find(parts.rbegin(), parts.rend(), fs::path("images"));
+  if (found == parts.rend()) return std::nullopt;
+  *found = folder;
+  fs::path other;
+  for (const fs::path& part : parts) other /= part;
+  return other.replace_extension(ending).string();
+}
 
 Result<std::vector<LabelledFile>> FindLabelledFiles(const std::string& folder) {
   std::error_code error;
@@ -42,7 +48,7 @@ Result<std::vector<LabelledFile>> FindLabelledFiles(const std::string& folder) {
   if (error) return BadInput(folder + ": is no folder that can be read (" + error.message() + ")");
   for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     const fs::path& path = entry->path();
-    if (IsPicture(path)) files.push_back({path.string(), LabelsOf(path).string(), path.stem().string()});
+    if (IsPicture(path)) files.push_back({path.string(), LabelsOf(path), path.stem().string()});
     if (error) return BadInput(folder + ": cannot be read to its end (" + error.message() + ")");
   }
   if (files.empty()) return BadInput(folder + ": has no picture (jpg, jpeg, png, bmp, webp) in it");

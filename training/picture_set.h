@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct LabelledFile {
 /// folder "images", they stand beside the picture, as LabelImg writes them (.txt or .xml). Bad input when the folder is
 /// missing or has no picture.
 Result<std::vector<LabelledFile>> FindLabelledFiles(const std::string& folder);
+
+/// DIR/FOLDER/A/B.ending for a picture DIR/images/A/B.jpg; nothing where the path has no folder "images".
+std::optional<std::string> FileBeside(const std::string& picture, const std::string& folder, const std::string& ending);
 
 /// The list of classes that belongs to a folder of pictures: classes.txt in it, or in one of the folders around it.
 Result<std::string> FindClassList(const std::string& folder);

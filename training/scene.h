@@ -20,11 +20,15 @@ struct SceneBox {
   float height() const { return bottom - top; }
 };
 
+/// Values of a mask of people, CV_8U.
+constexpr uint8_t kMaskNobody = 0, kMaskUnknown = 128, kMaskPerson = 255;
+
 /// A picture for training with its truth.
 struct Scene {
   cv::Mat pixels;  ///< CV_8UC3, BGR
   std::vector<SceneBox> boxes;
-  ClassBits judged;  ///< by the network's classes
+  ClassBits judged;       ///< by the network's classes
+  cv::Mat people_mask{};  ///< of the picture's size; empty where boxes are all that is learnt
 };
 
 }  // namespace yorb
