@@ -42,11 +42,12 @@ struct PeopleMaterial {
 };
 
 Result<FrozenNetwork> ReadFrozen(const std::string& path) {
-  const Result<OnnxModel> model = ReadOnnxFile(path);
-  if (!model) return model.error();
-  const Result<FeatureTaps> taps = FindFeatureTaps(*model, path);
+  Result<OnnxModel> read = ReadOnnxFile(path);
+  if (!read) return read.error();
+  OnnxModel model = WithoutPeopleHead(*std::move(read));
+  const Result<FeatureTaps> taps = FindFeatureTaps(model, path);
   if (!taps) return taps.error();
-  return FrozenNetwork{path, *model, *taps};
+  return FrozenNetwork{path, std::move(model), *taps};
 }
 
 Result<Split> FindMasked(const PeopleMapArguments& arguments) {
@@ -186,7 +187,10 @@ void AddPeopleMapCommand(CLI::App& program, Action& action) {
   command.add_option("--scenes", arguments->scenes,
                      "Packs, or folders of labelled pictures, that are labelled for people by boxes");
   command.add_option("--cutouts", arguments->cutouts, "Folder of cut-outs of people (RGBA) to be pasted, too");
-  command.add_option("--network", arguments->network, "The detector: an ONNX file of yorb-train export")->required();
+  command
+      .add_option("--network", arguments->network,
+                  "The detector: an ONNX file of yorb-train export; a map of people that it has is replaced")
+      ->required();
   command.add_option("--out", arguments->out, "The ONNX file to write: the detector with one more output")->required();
   command.add_option("--pictures", arguments->num_pictures, "Composed to learn from, half a megabyte of memory each")
       ->check(CLI::Range(1, 1000000))

@@ -125,7 +125,21 @@ std::string AddTap(const std::string& name, const std::string& value, OnnxModel&
   return name;
 }
 
+/// Whether WithPeopleHead gave something its name.
+bool IsOfPeople(const std::string& name) {
+  return name == kPeopleOutput || name.starts_with(std::string(kPeopleOutput) + ".");
+}
+
 }  // namespace
+
+OnnxModel WithoutPeopleHead(OnnxModel model) {
+  const auto is_of_people = [](const auto& part) { return IsOfPeople(part.name); };
+  std::erase_if(model.nodes, is_of_people);
+  std::erase_if(model.constants, is_of_people);
+  std::erase_if(model.outputs, is_of_people);
+  model.metadata.erase(kPeopleOutput);
+  return model;
+}
 
 Result<FeatureTaps> FindFeatureTaps(const OnnxModel& model, const std::string& path) {
   const auto fine = FindHeadInput(model, "stride8"), coarse = FindHeadInput(model, "stride16");

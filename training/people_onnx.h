@@ -19,6 +19,9 @@ struct FeatureTaps {
   cv::Size input;  ///< of the network, px
 };
 
+/// The network as it was before WithPeopleHead; as it is where it has no map of people.
+OnnxModel WithoutPeopleHead(OnnxModel model);
+
 /// Looks for what the convolutions read that give "stride8" and "stride16", as `ExportOnnx` names them. Bad input, with
 /// the words `path` before it, where the network has none, or has a map of people already.
 Result<FeatureTaps> FindFeatureTaps(const OnnxModel& model, const std::string& path);

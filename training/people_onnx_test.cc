@@ -55,6 +55,12 @@ TEST(PeopleOnnx, OneOutputIsAddedAndTheOthersStayToTheBit) {
   for (const auto& [key, value] : fixture.before.metadata) EXPECT_EQ(fixture.after.metadata.at(key), value);
 }
 
+TEST(PeopleOnnx, AMapIsTakenOffAgainWithoutATrace) {
+  const PeopleFixture fixture;
+  EXPECT_EQ(OnnxBytes(WithoutPeopleHead(fixture.after)), OnnxBytes(fixture.before));
+  EXPECT_EQ(OnnxBytes(WithoutPeopleHead(fixture.before)), OnnxBytes(fixture.before));
+}
+
 TEST(PeopleOnnx, TheMapIsLibtorchs) {
   const PeopleFixture fixture;
   const auto difference =

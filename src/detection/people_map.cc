@@ -6,6 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "detection/sigmoid.h"
+
 namespace yorb {
 namespace {
 
@@ -37,18 +39,18 @@ cv::Mat PeopleIn(const TensorView& logits, const Letterbox& fit) {
   cv::Mat shares(rows, columns, CV_32FC1);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const float logit = logits.data[row * logits.strides[2] + column * logits.strides[3]];
-      const float share = 1 / (1 + std::exp(-logit));
-      shares.at<float>(row, column) = std::isfinite(share) ? 255 * share : 0;
+      shares.at<float>(row, column) = logits.data[row * logits.strides[2] + column * logits.strides[3]];
     }
   }
+  Sigmoids(shares.ptr<float>(), shares.ptr<float>(), shares.total());
+  cv::patchNaNs(shares, 0);
   const AxisMap x = AxisOver(fit.scaled.width, fit.left, static_cast<double>(fit.input.width) / columns);
   const AxisMap y = AxisOver(fit.scaled.height, fit.top, static_cast<double>(fit.input.height) / rows);
   const cv::Matx23d network_from_picture(x.scale, 0, x.shift, 0, y.scale, y.shift);
   cv::Mat over_picture, people;
   cv::warpAffine(shares, over_picture, network_from_picture, cv::Size(x.num_cells, y.num_cells),
                  cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
-  over_picture.convertTo(people, CV_8UC1);
+  over_picture.convertTo(people, CV_8UC1, 255);
   return people;
 }
 
